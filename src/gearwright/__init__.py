@@ -1,0 +1,61 @@
+"""Geometric modelling of gears, cams and swept solids, with exact volumetric properties.
+
+Public names load when first used, so that `import gearwright` itself loads no numpy.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from .elements.bevel_gear import BevelGear
+    from .elements.bevel_pair import BevelPair
+    from .elements.spur_gear import SpurGear
+    from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
+    from .moments.polyhedron import mass_properties
+    from .sections.plane import Section
+    from .solids.polyhedron import Polyhedron
+    from .solids.properties import MassProperties
+
+__all__ = [
+    "BevelGear",
+    "BevelPair",
+    "FileError",
+    "GearwrightError",
+    "GeometryError",
+    "MachineError",
+    "MassProperties",
+    "ParameterError",
+    "Polyhedron",
+    "Problem",
+    "Section",
+    "SpurGear",
+    "__version__",
+    "mass_properties",
+]
+
+_MODULES = {
+    ".elements.bevel_gear": ("BevelGear",),
+    ".elements.bevel_pair": ("BevelPair",),
+    ".elements.spur_gear": ("SpurGear",),
+    ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
+    ".moments.polyhedron": ("mass_properties",),
+    ".sections.plane": ("Section",),
+    ".solids.polyhedron": ("Polyhedron",),
+    ".solids.properties": ("MassProperties",),
+}
+_HOMES = {name: module for module, names in _MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = globals()[name] = getattr(import_module(_HOMES[name], __name__), name)
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

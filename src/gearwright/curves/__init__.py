@@ -1,0 +1,1 @@
+"""Curves: lines, arcs, involutes and their spherical counterparts, each analytic in its own parameter."""

@@ -1,0 +1,115 @@
+"""The concept of a curve: a point for every parameter, analytic over an interval."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike
+
+
+@dataclass(frozen=True, kw_only=True)
+class Curve(ABC):
+    """A curve in the plane (d = 2), on the unit sphere or in space (d = 3).
+
+    interval   parameter at the start and at the end; it may run downwards, which reverses the curve
+
+    The parameter is one in which the curve is analytic (an involute's roll, not its radius), so that
+    Gauss–Legendre quadrature converges exponentially and equal steps are good chords.
+    A family of curves (relief, crowning, taper) overrides `at` and `variation`.
+    """
+
+    interval: tuple[float, float]
+
+    @abstractmethod
+    def point(self, u: ArrayLike) -> Array:
+        """Points (..., d) at parameters u (...)."""
+
+    @abstractmethod
+    def derivative(self, u: ArrayLike) -> Array:
+        """d point / du, (..., d)."""
+
+    def at(self, v: ArrayLike) -> Curve:
+        """The member of the family at the motion's parameter v; a constant curve is its own."""
+        del v
+        return self
+
+    def variation(self, u: ArrayLike, v: ArrayLike) -> Array:
+        """d point / dv of the family, (..., d); nought for a constant curve."""
+        shape = np.broadcast_shapes(np.shape(u), np.shape(v))
+        return np.zeros((*shape, self.start.size))
+
+    def parameter(self, fraction: ArrayLike) -> Array:
+        """Parameter u (...) at a fraction of the interval, 0 at the start and 1 at the end."""
+        a, b = self.interval
+        fraction = np.asarray(fraction, float)
+        return a * (1.0 - fraction) + b * fraction
+
+    def reversed(self) -> Self:
+        """The same curve from its end to its start."""
+        return replace(self, interval=self.interval[::-1])
+
+    @property
+    def start(self) -> Array:
+        return self.point(self.interval[0])
+
+    @property
+    def end(self) -> Array:
+        return self.point(self.interval[1])
+
+    def quadrature(self, nodes: int) -> tuple[Array, Array]:
+        """Gauss–Legendre points (n, d) and weighted tangents (n, d), so that ∮ f·dr ≈ Σ f(point)·tangent."""
+        x, w = gauss_legendre(nodes)
+        a, b = self.interval
+        u = self.parameter((x + 1.0) / 2.0)
+        return self.point(u), self.derivative(u) * (w * (b - a) / 2.0)[:, None]
+
+
+_RULES: dict[int, tuple[Array, Array]] = {}
+
+
+def gauss_legendre(nodes: int) -> tuple[Array, Array]:
+    """Nodes and weights (n,) of the Gauss–Legendre rule on [−1, 1], kept after the first use."""
+    if nodes not in _RULES:
+        _RULES[nodes] = np.polynomial.legendre.leggauss(nodes)
+    return _RULES[nodes]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mapped(Curve):
+    """A curve under the linear map p → A p: a rotation or a mirror image of it.
+
+    matrix   A (d, d), as nested tuples
+    """
+
+    curve: Curve
+    matrix: tuple[tuple[float, ...], ...]
+
+    def point(self, u: ArrayLike) -> Array:
+        return self.curve.point(u) @ np.array(self.matrix).T
+
+    def derivative(self, u: ArrayLike) -> Array:
+        return self.curve.derivative(u) @ np.array(self.matrix).T
+
+    def at(self, v: ArrayLike) -> Curve:
+        return mapped(self.curve.at(v), self.matrix)
+
+    def variation(self, u: ArrayLike, v: ArrayLike) -> Array:
+        return self.curve.variation(u, v) @ np.array(self.matrix).T
+
+
+def mapped(curve: Curve, matrix: ArrayLike) -> Mapped:
+    """The curve under p → A p, for A (d, d)."""
+    rows = tuple(tuple(float(x) for x in row) for row in np.asarray(matrix))
+    return Mapped(interval=curve.interval, curve=curve, matrix=rows)
+
+
+def turn(angle: float, dimension: int, *, mirrored: bool = False) -> Array:
+    """The rotation (d, d) by an angle about the origin or z axis, after y → −y where mirrored."""
+    c, s = np.cos(angle), np.sin(angle)
+    matrix = np.eye(dimension)
+    matrix[:2, :2] = [[c, s], [s, -c]] if mirrored else [[c, -s], [s, c]]
+    return matrix

@@ -1,0 +1,1 @@
+"""Motions: how a section moves to make a solid, and between which ends."""

@@ -1,0 +1,66 @@
+"""Revolution about z."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike
+from ..curves.arc import Arc
+from ..curves.curve import Curve
+from ..moments.body import BodyMoments, about_centroid
+from ..moments.sweep import revolution_sweep
+from ..sections.section import LoopedSection
+from ..surfaces.plane import Plane
+from ..surfaces.sphere import Sphere
+from ..surfaces.surface import Surface
+from .ends import ConstantEnd, End, Ends
+from .motion import Motion
+
+FULL_TURN = 2.0 * np.pi
+
+
+@dataclass(frozen=True, kw_only=True)
+class Revolution(Motion):
+    """r = (x cos v, −x sin v, y): section x is the radius, section y the axis, which becomes z.
+
+    The azimuth is −v, so that a counter-clockwise section has a positive jacobian, x.
+    """
+
+    def place(self, point: Array, v: ArrayLike) -> Array:
+        x, y = point[..., 0], point[..., 1]
+        return np.stack([x * np.cos(v), -x * np.sin(v), y + np.zeros_like(x * np.asarray(v))], axis=-1)
+
+    def carry(self, point: Array, tangent: Array, v: ArrayLike) -> Array:
+        del point
+        return self.place(tangent, v)
+
+    def velocity(self, point: Array, v: ArrayLike) -> Array:
+        x = point[..., 0]
+        return np.stack([-x * np.sin(v), -x * np.cos(v), np.zeros_like(x * np.asarray(v))], axis=-1)
+
+    def jacobian(self, point: Array, v: ArrayLike) -> Array:
+        return np.asarray(point[..., 0] + np.zeros(np.shape(v)))
+
+    def end_surface(self, end: End) -> Surface:
+        if not isinstance(end, ConstantEnd):
+            raise TypeError("a revolution ends on half-planes of constant azimuth")
+        c, s = float(np.cos(end.parameter)), float(np.sin(end.parameter))
+        return Plane(origin=(0.0, 0.0, 0.0), x_axis=(c, -s, 0.0), y_axis=(0.0, 0.0, 1.0))
+
+    def swept_surface(self, curve: Curve) -> Surface | None:
+        if isinstance(curve, Arc) and curve.centre == (0.0, 0.0):
+            return Sphere(radius=curve.radius)
+        return None
+
+    def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
+        constants = ends.constants
+        if constants is None:
+            return None
+        matrix = revolution_sweep(section.moments, -constants[1], -constants[0])
+        return about_centroid(matrix, "exact", section.moments_error)
+
+    def closed(self, ends: Ends) -> bool:
+        constants = ends.constants
+        return constants is not None and abs(constants[1] - constants[0] - FULL_TURN) < 1e-12

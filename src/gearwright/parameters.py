@@ -1,0 +1,239 @@
+"""Parameters of elements: declared once, checked here; options, schema and forms are derived from them.
+
+An element is a frozen keyword-only dataclass whose fields are made by `declared`. Nothing here
+imports numpy, so that an edge can list every option without loading a kernel.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from typing import Any, Literal, TypeVar
+
+from .errors import ParameterError, Problem
+
+Unit = Literal["length", "angle", "mm", "per inch", ""]
+Kind = Literal["number", "integer", "choice"]
+T = TypeVar("T")
+
+MILLIMETRES = {"mm": 1.0, "in": 25.4}
+"""Length units a person may choose, in millimetres."""
+
+_KEY = "parameter"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parameter:
+    """What one parameter means and which single values it takes.
+
+    meaning     one line for help pages and forms
+    unit        "length" (the element's length_unit), "angle" (degrees), "mm", "per inch" or "" (a number)
+    symbol      the field's standard symbol
+    above, minimum, maximum, below   limits, exclusive, inclusive, inclusive, exclusive
+    choices     the words accepted, for kind "choice"
+    """
+
+    meaning: str
+    kind: Kind = "number"
+    unit: Unit = ""
+    symbol: str = ""
+    above: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    below: float | None = None
+    choices: tuple[str, ...] = ()
+
+    def problem(self, value: object) -> str | None:
+        """Why this single value is not accepted; None where it is."""
+        if self.kind == "choice":
+            return None if value in self.choices else f"choose one of {', '.join(self.choices)}"
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {type(value).__name__}"
+        if not math.isfinite(value):
+            return "a finite number is needed"
+        if self.kind == "integer" and value != int(value):
+            return "a whole number is needed"
+        return self._limit_problem(float(value))
+
+    def computable(self, value: object) -> bool:
+        """Whether formulas make sense of this value, though it may be beyond a limit."""
+        if self.kind == "choice":
+            return value in self.choices
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            return False
+        lowest = self.above if self.above is not None else 0.0 if self.minimum is not None else -math.inf
+        inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest
+        return inside and (self.unit != "angle" or self._limit_problem(float(value)) is None)
+
+    def _limit_problem(self, value: float) -> str | None:
+        if self.above is not None and not value > self.above:
+            return f"must be greater than {self.above:g}"
+        if self.minimum is not None and not value >= self.minimum:
+            return f"at least {self.minimum:g}"
+        if self.maximum is not None and not value <= self.maximum:
+            return f"at most {self.maximum:g}"
+        if self.below is not None and not value < self.below:
+            return f"must be less than {self.below:g}"
+        return None
+
+
+def declared(
+    parameter: Parameter,
+    *,
+    default: Any = MISSING,
+    members: Literal["one", "both", "each"] = "one",
+) -> Any:
+    """A dataclass field for a parameter.
+
+    members   "one": a single value; "both": one value for both members of a pair or two;
+              "each": always two values, pinion first
+    """
+    return field(default=default, metadata={_KEY: parameter, "members": members})
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """One declared field of an element, as edges need it."""
+
+    name: str
+    parameter: Parameter
+    default: Any
+    members: Literal["one", "both", "each"]
+
+    @property
+    def required(self) -> bool:
+        return self.default is MISSING
+
+
+def declarations(element: type) -> tuple[Declaration, ...]:
+    """The declared parameters of an element class, in order."""
+    return tuple(
+        Declaration(f.name, f.metadata[_KEY], f.default, f.metadata["members"])
+        for f in fields(element)
+        if _KEY in f.metadata
+    )
+
+
+def in_words(value: object, unit: Unit, length_unit: str) -> str:
+    """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°"."""
+    if isinstance(value, tuple | list):
+        return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
+    text = f"{value:.6g}" if isinstance(value, float) else str(value)
+    suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in", "": ""}[unit]
+    return text + suffix if isinstance(value, int | float) else repr(value)
+
+
+class Problems:
+    """Collects what is wrong with one element's parameters, to raise it all together."""
+
+    def __init__(self, element: Any):
+        self._element = element
+        self._declared = {d.name: d for d in declarations(type(element))}
+        self._found: list[Problem] = []
+        self._names: set[str] = set()
+        for declaration in self._declared.values():
+            self._check_values(declaration)
+
+    def _check_values(self, declaration: Declaration) -> None:
+        value = getattr(self._element, declaration.name)
+        if value is None and declaration.default is None:
+            return
+        several = isinstance(value, tuple | list)
+        if declaration.members == "one" and several:
+            return self.add(declaration.name, "one value is needed")
+        if declaration.members == "each" and not several:
+            return self.add(declaration.name, "two values are needed, pinion first")
+        if several and len(value) != 2:
+            return self.add(declaration.name, "give one value for each of the two members, pinion first")
+        problems = {declaration.parameter.problem(one) for one in (value if several else (value,))} - {None}
+        for problem in sorted(p for p in problems if p is not None):
+            self.add(declaration.name, problem + (" each" if several and problem.startswith("at ") else ""))
+        return None
+
+    def add(self, name: str, message: str) -> None:
+        """Adds a problem of the named parameter, shown with its value and unit."""
+        declaration = self._declared[name]
+        unit = getattr(self._element, "length_unit", "mm")
+        value = in_words(getattr(self._element, name), declaration.parameter.unit, str(unit))
+        self._found.append(Problem(f"{name} = {value}", message))
+        self._names.add(name)
+
+    def add_members(self, members: Mapping[str, Callable[[], object]]) -> None:
+        """Builds members of the element and adds their problems, once where they share them.
+
+        Problems of parameters that are already named here are left out.
+        """
+        found: dict[Problem, list[str]] = {}
+        for member, build in members.items():
+            try:
+                build()
+            except ParameterError as error:
+                for problem in error.problems:
+                    found.setdefault(problem, []).append(member)
+        for problem, owners in found.items():
+            if problem.subject.split(" = ")[0] not in self._names:
+                prefix = "" if len(owners) == len(members) else f"{owners[0]} "
+                self._found.append(Problem(prefix + problem.subject, problem.message))
+                self._names.add(problem.subject.split(" = ")[0])
+
+    def computable(self) -> bool:
+        """Whether every value given is a finite number of the right sign, or a word that is known.
+
+        Limits may still be exceeded; what follows from the values can be computed and checked.
+        """
+        return all(
+            value is None or declaration.parameter.computable(value)
+            for declaration in self._declared.values()
+            for value in _several(getattr(self._element, declaration.name))
+        )
+
+    def sound(self, *names: str) -> bool:
+        """Whether none of the named parameters (all, if none is named) has a problem yet."""
+        return not (self._names & set(names) if names else self._names)
+
+    def raise_any(self) -> None:
+        """Raises ParameterError if there is any problem."""
+        if self._found:
+            raise ParameterError(type(self._element).__name__, self._found)
+
+
+def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
+    """Builds an element from names and values, refusing unknown and missing names together.
+
+    Raises ParameterError.
+    """
+    known = {d.name: d for d in declarations(element)}
+    found = [
+        Problem(f"{name} = {value!r}", f"{element.__name__} has no such parameter; it has {', '.join(known)}")
+        for name, value in values.items()
+        if name not in known
+    ]
+    found += [
+        Problem(d.name, f"is needed: {d.parameter.meaning}")
+        for d in known.values()
+        if d.required and d.name not in values
+    ]
+    if found:
+        raise ParameterError(element.__name__, found)
+    return element(**{name: tuple(v) if isinstance(v, list) else v for name, v in values.items()})
+
+
+def _several(value: object) -> tuple[object, ...]:
+    return tuple(value) if isinstance(value, tuple | list) else (value,)
+
+
+def member_value(value: Any, member: int) -> Any:
+    """The value that belongs to one member (0 pinion, 1 gear) of a parameter given once or twice."""
+    return value[member] if isinstance(value, tuple | list) else value
+
+
+@dataclass(frozen=True)
+class Size:
+    """A derived size: its value (degrees where an angle), unit and the field's symbol."""
+
+    value: float
+    unit: Unit
+    symbol: str
+    meaning: str
+

@@ -1,0 +1,1 @@
+"""Sections: closed loops of curves in the plane or on the unit sphere, the outer loop first."""

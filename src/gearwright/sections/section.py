@@ -1,0 +1,64 @@
+"""The concept of a section: what a motion moves to make a solid."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from math import gcd
+from typing import Self
+
+from ..arrays import Array
+from ..errors import GeometryError, Problem
+from ..moments.boundary_integral import converged
+from .loop import Loop
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoopedSection(ABC):
+    """A region bounded by loops: the outer one first and counter-clockwise, holes clockwise.
+
+    Raises GeometryError where a loop runs the wrong way.
+    """
+
+    loops: tuple[Loop, ...]
+
+    def __post_init__(self) -> None:
+        problems = []
+        for i, loop in enumerate(self.loops):
+            measure = float(self._integral((loop,), 20)[0, 0])
+            if (measure > 0.0) != (i == 0):
+                expected = "counter-clockwise, as the outer loop" if i == 0 else "clockwise, as a hole"
+                problems.append(
+                    Problem(f"loop {i + 1} encloses {measure:.6g}", f"it must run {expected}; reverse its curves")
+                )
+        if problems:
+            raise GeometryError("The loops do not bound a section", problems)
+
+    @abstractmethod
+    def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:
+        """Moments of the region bounded by the loops, with so many nodes a curve."""
+
+    @property
+    def order(self) -> int:
+        """Turns of 2π/order about the origin bring the section onto itself."""
+        return gcd(*(loop.copies for loop in self.loops))
+
+    @cached_property
+    def _converged(self) -> tuple[Array, float]:
+        return converged(lambda nodes: self._integral(self.loops, nodes))
+
+    @property
+    def moments(self) -> Array:
+        """Moments of the section on its true curves: m[a, b] to order 3, or [Ω Nᵀ; N Q]."""
+        return self._converged[0]
+
+    @property
+    def moments_error(self) -> float:
+        """Relative error of the moments, from the convergence of the quadrature."""
+        return self._converged[1]
+
+    def at(self, v: float) -> Self:
+        """The section at the motion's parameter v; a constant one is itself."""
+        loops = tuple(loop.at(v) for loop in self.loops)
+        return self if all(a is b for a, b in zip(loops, self.loops, strict=True)) else type(self)(loops=loops)

@@ -1,0 +1,19 @@
+"""Sections on the unit sphere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..arrays import Array
+from ..moments.sphere import region_moments
+from .loop import Loop
+from .section import LoopedSection
+
+
+@dataclass(frozen=True, kw_only=True)
+class SphericalSection(LoopedSection):
+    """A region of the unit sphere bounded by loops of curves (d = 3), seen from outside; −z lies outside it."""
+
+    def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:
+        parts = [region_moments(*loop.quadrature(nodes), order=loop.copies) for loop in loops]
+        return sum(parts[1:], start=parts[0])

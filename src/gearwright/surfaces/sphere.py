@@ -1,0 +1,67 @@
+"""Spheres about the origin, the end faces of a bevel gear bounded by constant cone distance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..moments.flux import BY_ORDER
+from ..moments.matrix import moment_matrix
+from .surface import Surface
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sphere(Surface):
+    """The sphere of a radius about the origin, normal outward, charted stereographically from −z.
+
+    The chart is (x, y)/(r + z): conformal, the pole +z in the middle, −z at infinity.
+    """
+
+    radius: float
+
+    def chart(self, points: Array) -> Array:
+        return np.asarray(points[..., :2] / (self.radius + points[..., 2:]))
+
+    def point(self, chart: Array) -> Array:
+        square = np.sum(chart * chart, axis=-1, keepdims=True)
+        return np.asarray(self.radius * np.concatenate([2.0 * chart, 1.0 - square], axis=-1) / (1.0 + square))
+
+    def deviation(self, points: Array) -> Array:
+        return np.abs(np.linalg.norm(points, axis=-1) - self.radius)
+
+    def spacing(self, tolerance: float, chart: Array) -> Array:
+        step = np.sqrt(4.0 * self.radius * tolerance)  # the sagitta of a circle of half a square's diagonal
+        return np.asarray(step * (1.0 + np.sum(chart * chart, axis=-1)) / (2.0 * self.radius))
+
+    def flux(self, points: Array, tangents: Array) -> Array:
+        region = _polar_integrals(points / self.radius, tangents / self.radius)
+        scale = np.diag([1.0, self.radius, self.radius, self.radius])
+        return np.asarray(self.radius**3 * BY_ORDER * (scale @ region @ scale))
+
+
+def _polar_integrals(n: Array, dn: Array) -> Array:
+    """[Ω Nᵀ; N Q] of a region of the unit sphere by integrals over azimuth.
+
+    ∫ w(θ) g(φ) dΩ = ∮ W(cos θ) g(φ) dφ with W(u) = ∫_u¹ w du′, u = cos θ: another way than (M3), so that
+    the flux stays an independent route. −z must lie outside the region.
+    """
+    x, y, u = n.T
+    rho_squared = x * x + y * y
+    rho = np.sqrt(rho_squared)
+    azimuth_step = (x * dn[:, 1] - y * dn[:, 0]) / rho_squared
+    c, s = x / rho, y / rho
+    area = np.sum((1.0 - u) * azimuth_step)
+    transverse = (np.arccos(np.clip(u, -1.0, 1.0)) - u * rho) / 2.0 * azimuth_step
+    square = (2.0 / 3.0 - u + u**3 / 3.0) * azimuth_step
+    mixed = rho**3 / 3.0 * azimuth_step
+    first = np.array([transverse @ c, transverse @ s, np.sum(rho_squared / 2.0 * azimuth_step)])
+    second = np.array(
+        [
+            [square @ (c * c), square @ (c * s), mixed @ c],
+            [square @ (c * s), square @ (s * s), mixed @ s],
+            [mixed @ c, mixed @ s, np.sum((1.0 - u**3) / 3.0 * azimuth_step)],
+        ]
+    )
+    return moment_matrix(area, first, second)
