@@ -1,0 +1,100 @@
+"""Vertices and edges: what faces share, so that no two faces can disagree about their border."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike
+from ..curves.curve import Curve
+from ..motions.ends import End, Ends
+from ..motions.motion import Motion
+from .pattern import ALONE, Pattern
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Vertex:
+    """A named corner; with a pattern it stands for all its images. On the axis it has only itself."""
+
+    name: str
+    position: Array
+    pattern: Pattern = ALONE
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Edge:
+    """A named boundary curve in space with its end vertices, for all images of a pattern.
+
+    curve      from the start vertex to the end vertex
+    end_turn   the end vertex belongs to the image this many turns further on
+    """
+
+    name: str
+    curve: Curve
+    start: Vertex
+    end: Vertex
+    end_turn: int = 0
+    pattern: Pattern = ALONE
+
+    @cached_property
+    def degenerate(self) -> bool:
+        """Whether the edge is a point: a pole or an apex."""
+        middle = self.curve.point(self.curve.parameter([0.3, 0.6]))
+        return self.start is self.end and bool(np.all(middle == self.start.position))
+
+    @property
+    def closed(self) -> bool:
+        """Whether the edge is a closed curve through its one vertex."""
+        return self.start is self.end and self.end_turn == 0 and not self.degenerate
+
+
+@dataclass(frozen=True, kw_only=True)
+class EdgeUse:
+    """An edge as a face uses it: in its own sense or against it, in the image `turn` turns further on."""
+
+    edge: Edge
+    reverse: bool = False
+    turn: int = 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rail(Curve):
+    """The way of one section point through a motion, by the fraction t between the ends."""
+
+    motion: Motion
+    section_point: tuple[float, ...]
+    ends: Ends
+    interval: tuple[float, float] = (0.0, 1.0)
+
+    def point(self, u: ArrayLike) -> Array:
+        p = self._points(u)
+        return self.motion.place(p, self.ends.value(p, u))
+
+    def derivative(self, u: ArrayLike) -> Array:
+        p = self._points(u)
+        return self.motion.velocity(p, self.ends.value(p, u)) * self.ends.span(p)[..., None]
+
+    def _points(self, u: ArrayLike) -> Array:
+        point = np.asarray(self.section_point)
+        return np.broadcast_to(point, (*np.shape(u), point.size))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profile(Curve):
+    """A curve of the section carried to one end of a motion."""
+
+    motion: Motion
+    curve: Curve
+    station: End
+
+    def point(self, u: ArrayLike) -> Array:
+        p = self.curve.point(u)
+        return self.motion.place(p, self.station.value(p))
+
+    def derivative(self, u: ArrayLike) -> Array:
+        p, tangent = self.curve.point(u), self.curve.derivative(u)
+        v = self.station.value(p)
+        along = np.sum(self.station.gradient(p) * tangent, axis=-1)
+        return self.motion.carry(p, tangent, v) + self.motion.velocity(p, v) * along[..., None]

@@ -1,0 +1,80 @@
+"""Faces: patches swept by curves, and caps bounded by loops on a surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..curves.curve import Curve
+from ..motions.ends import Ends
+from ..motions.motion import Motion
+from ..surfaces.surface import Surface
+from .edge import EdgeUse
+from .pattern import ALONE, Pattern
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Patch:
+    """One section curve swept over one smooth span of a motion; outward normal ∂u × ∂v.
+
+    name      the face it belongs to; several patches may make one face
+    sides     edge uses in turn around it, counter-clockwise from outside: first end along u, last
+              point along v, second end against u, first point against v
+    surface   the surface it lies on, where that is one of ours
+    """
+
+    name: str
+    curve: Curve
+    motion: Motion
+    ends: Ends
+    sides: tuple[EdgeUse, EdgeUse, EdgeUse, EdgeUse]
+    pattern: Pattern = ALONE
+    surface: Surface | None = None
+
+    def point(self, u: Array, v: Array) -> Array:
+        """Points (..., 3) at fractions u along the curve and v between the ends, both (...)."""
+        p, t = self._section(u, v)
+        return self.motion.place(p, t)
+
+    def partials(self, u: Array, v: Array) -> tuple[Array, Array]:
+        """∂r/∂u and ∂r/∂v (..., 3) at fractions u, v (...)."""
+        p, t = self._section(u, v)
+        a, b = self.curve.interval
+        tangent = self.curve.at(t).derivative(self.curve.parameter(u)) * (b - a)
+        velocity = self.motion.velocity(p, t)
+        variation = self.motion.carry(p, self.curve.variation(self.curve.parameter(u), t), t)
+        along = np.sum(self.ends.gradient(p, v) * tangent, axis=-1)[..., None]
+        span = self.ends.span(p)[..., None]
+        return self.motion.carry(p, tangent, t) + (velocity + variation) * along, (velocity + variation) * span
+
+    def area_vector(self, u: Array, v: Array) -> Array:
+        """∂r/∂u × ∂r/∂v (..., 3), outward."""
+        return np.cross(*self.partials(u, v))
+
+    def _section(self, u: Array, v: Array) -> tuple[Array, Array]:
+        parameter = self.curve.parameter(u)
+        t = self.ends.value(self.curve.point(parameter), v)
+        return self.curve.at(t).point(parameter), t
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CapLoop:
+    """One loop of a cap: a chain of edges once for each image of their pattern, or against them."""
+
+    uses: tuple[EdgeUse, ...]
+    reverse: bool = False
+
+    @property
+    def pattern(self) -> Pattern:
+        return self.uses[0].edge.pattern
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cap:
+    """A face on a surface, bounded by loops that run counter-clockwise seen from outside the body."""
+
+    name: str
+    surface: Surface
+    loops: tuple[CapLoop, ...]

@@ -1,0 +1,62 @@
+"""Flux through a boundary: moments, area and closure of a body from its faces alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..curves.curve import gauss_legendre
+from ..moments.flux import flux_moments
+from ..moments.matrix import patterned
+from .faces import Cap, CapLoop, Patch
+from .pattern import Pattern
+
+
+@dataclass(frozen=True, kw_only=True)
+class Flux:
+    """matrix (4, 4): moments about the origin; area_vector (3,): ∮ n dA; area: of the patches and |cap vectors|."""
+
+    matrix: Array
+    area_vector: Array
+    area: float
+
+
+def boundary_flux(patches: Sequence[Patch], caps: Sequence[Cap], nodes: int) -> Flux:
+    """Flux by Gauss–Legendre quadrature with nodes² points a patch and `nodes` points a cap's edge."""
+    matrix, vector, area = np.zeros((4, 4)), np.zeros(3), 0.0
+    for patch in patches:
+        points, area_vectors = _patch_quadrature(patch, nodes)
+        matrix += patterned(flux_moments(points, area_vectors), patch.pattern.order)
+        vector += _turned_sum(area_vectors.sum(axis=0), patch.pattern)
+        area += patch.pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
+    for cap in caps:
+        for loop in cap.loops:
+            points, tangents = loop_quadrature(loop, nodes)
+            matrix += cap.surface.flux(points, tangents)
+            half = np.cross(points, tangents).sum(axis=0) / 2.0
+            vector += half
+            area += float(np.linalg.norm(half))
+    return Flux(matrix=matrix, area_vector=vector, area=area)
+
+
+def loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
+    """Points (n, 3) and weighted tangents (n, 3) all along a cap's loop, images included."""
+    parts = [use.edge.curve.quadrature(nodes) for use in loop.uses]
+    senses = [-1.0 if use.reverse != loop.reverse else 1.0 for use in loop.uses]
+    points = np.concatenate([p for p, _ in parts])
+    tangents = np.concatenate([sense * t for sense, (_, t) in zip(senses, parts, strict=True)])
+    return loop.pattern.images(points).reshape(-1, 3), loop.pattern.images(tangents).reshape(-1, 3)
+
+
+def _patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
+    x, w = gauss_legendre(nodes)
+    u, v = (a.ravel() for a in np.meshgrid((x + 1.0) / 2.0, (x + 1.0) / 2.0, indexing="ij"))
+    weights = np.outer(w, w).ravel() / 4.0
+    return patch.point(u, v), patch.area_vector(u, v) * weights[:, None]
+
+
+def _turned_sum(vector: Array, pattern: Pattern) -> Array:
+    return vector if pattern.order == 1 else pattern.order * vector * np.array([0.0, 0.0, 1.0])

@@ -1,0 +1,174 @@
+"""How finely each edge is cut, decided once for all faces that share it.
+
+Opposite sides of a patch have the same number of segments, so that patches are grids; edges tied so
+form a group. On a patch with n·r_uu = A, n·r_uv = B, n·r_vv = C (fractions u, v; n the unit normal),
+linear interpolation over the triangles of a grid of n_u × n_v cells is off by at most
+
+    (A/n_u² + C/n_v²)/8 + B/(4 n_u n_v),
+
+the last term being the twist of the quads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..errors import GeometryError, Problem
+from .boundary import Boundary
+from .edge import Edge
+from .faces import Patch
+
+MOST_SEGMENTS = 20_000
+"""Segments of one edge beyond which a tolerance is taken for a slip."""
+_FEWEST_CLOSED = 6  # segments of a closed edge, so that it still encloses something
+_MARGIN = 1.1  # the bounds above are taken at sample points
+_DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sampling:
+    """Segments of every edge, and the chord tolerance that the inner points of caps keep."""
+
+    segments: Mapping[Edge, int]
+    tolerance: float
+
+
+def sampling(boundary: Boundary, tolerance: float) -> Sampling:
+    """The coarsest sampling, about, whose chord error stays below the tolerance (length) everywhere.
+
+    Raises GeometryError if the tolerance is not positive or would need more than MOST_SEGMENTS segments.
+    """
+    if not tolerance > 0.0:
+        raise GeometryError(
+            "No polyhedron has this tolerance", [Problem(f"tolerance = {tolerance:g}", "must be greater than 0")]
+        )
+    groups = _Groups(boundary)
+    segments: dict[Edge, int] = {}
+    for along in dict.fromkeys(groups.of(patch.sides[1].edge) for patch in boundary.patches):
+        patches = [patch for patch in boundary.patches if groups.of(patch.sides[1].edge) is along]
+        bounds = [_Bounds.of(patch) for patch in patches]
+        layers = _best_layers(bounds, tolerance)
+        segments[along] = max(segments.get(along, 1), layers)
+        for patch, bound in zip(patches, bounds, strict=True):
+            across = groups.of(patch.sides[0].edge)
+            segments[across] = max(segments.get(across, 1), int(bound.columns(layers, tolerance)))
+    _require_possible(segments, tolerance)
+    for edge in boundary.edges:
+        if edge.closed:
+            segments[groups.of(edge)] = max(segments[groups.of(edge)], _FEWEST_CLOSED)
+    return Sampling(segments={edge: segments[groups.of(edge)] for edge in boundary.edges}, tolerance=tolerance)
+
+
+def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: float) -> Sampling:
+    """So many segments along every section curve and so many layers along the motion, for convergence studies."""
+    groups = _Groups(boundary)
+    segments = {groups.of(patch.sides[0].edge): across for patch in boundary.patches}
+    segments |= {groups.of(patch.sides[1].edge): layers for patch in boundary.patches}
+    return Sampling(segments={edge: segments[groups.of(edge)] for edge in boundary.edges}, tolerance=tolerance)
+
+
+class _Groups:
+    """Edges that must be cut alike, as a union–find forest."""
+
+    def __init__(self, boundary: Boundary):
+        self._parent: dict[Edge, Edge] = {edge: edge for edge in boundary.edges}
+        for patch in boundary.patches:
+            first, right, second, left = (use.edge for use in patch.sides)
+            self._parent[self.of(second)] = self.of(first)
+            self._parent[self.of(left)] = self.of(right)
+
+    def of(self, edge: Edge) -> Edge:
+        while self._parent[edge] is not edge:
+            edge = self._parent[edge]
+        return edge
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Bounds:
+    """Greatest second partials of a patch: normal ones inside, all across the tangent on its border edges."""
+
+    uu: float
+    uv: float
+    vv: float
+    border_u: float
+    border_v: float
+
+    @classmethod
+    def of(cls, patch: Patch) -> _Bounds:
+        u, v = np.meshgrid((np.arange(16) + 0.5) / 16.0, (np.arange(8) + 0.5) / 8.0, indexing="ij")
+        normal = _unit(patch.area_vector(u, v))
+        uu, uv, vv = _second_partials(patch, u, v)
+        return cls(
+            uu=_greatest(normal * uu),
+            uv=_greatest(normal * uv),
+            vv=_greatest(normal * vv),
+            border_u=max(_border(patch, u[:, 0], np.full(16, end), 0) for end in (0.0, 1.0)),
+            border_v=max(_border(patch, np.full(8, end), v[0], 1) for end in (0.0, 1.0)),
+        )
+
+    def columns(self, layers: Array | int, tolerance: float) -> Array:
+        """Fewest segments n_u (...) across for n_v layers (...); infinite where these layers cannot do."""
+        layers = np.asarray(layers, float)
+        room = 8.0 * tolerance - self.vv / layers**2
+        enough = (room > 0.0) & (self.border_v / layers**2 <= 8.0 * tolerance)
+        room = np.where(enough, room, np.inf)
+        twist = self.uv / layers
+        inside = (twist + np.sqrt(twist**2 + self.uu * room)) / room  # 1/n_u, the root of A x² + 2 twist x = room
+        border = np.sqrt(self.border_u / (8.0 * tolerance))
+        return np.where(enough, np.maximum(1.0, np.ceil(np.maximum(inside, border) - 1e-9)), np.inf)
+
+
+def _best_layers(bounds: list[_Bounds], tolerance: float) -> int:
+    """The number of layers that needs the fewest cells in all patches that share it."""
+    least = np.sqrt(max(max(b.vv, b.border_v) for b in bounds) / (8.0 * tolerance))
+    candidates = np.unique(np.ceil(max(least, 1.0) * np.geomspace(1.0, 8.0, 40) + 1e-9 * least))
+    cells = candidates * np.sum([b.columns(candidates, tolerance) for b in bounds], axis=0)
+    return int(candidates[np.argmin(cells)])
+
+
+def _second_partials(patch: Patch, u: Array, v: Array) -> tuple[Array, Array, Array]:
+    h = _DIFFERENCE
+    u_after, v_after_u = patch.partials(u + h, v)
+    u_before, v_before_u = patch.partials(u - h, v)
+    _, v_after = patch.partials(u, v + h)
+    _, v_before = patch.partials(u, v - h)
+    return (
+        (u_after - u_before) / (2.0 * h),
+        (v_after_u - v_before_u) / (2.0 * h),
+        (v_after - v_before) / (2.0 * h),
+    )
+
+
+def _border(patch: Patch, u: Array, v: Array, direction: int) -> float:
+    tangent = _unit(patch.partials(u, v)[direction])
+    second = _second_partials(patch, u, v)[2 * direction]
+    across = second - tangent * np.sum(second * tangent, axis=-1, keepdims=True)
+    return _MARGIN * float(np.max(np.linalg.norm(across, axis=-1)))
+
+
+def _unit(vectors: Array) -> Array:
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(vectors / np.where(lengths > 0.0, lengths, 1.0))
+
+
+def _greatest(products: Array) -> float:
+    return _MARGIN * float(np.max(np.abs(products.sum(axis=-1))))
+
+
+def _require_possible(segments: Mapping[Edge, int], tolerance: float) -> None:
+    most = max(segments.values())
+    if most > MOST_SEGMENTS:
+        raise GeometryError(
+            "The tolerance asks for too fine a polyhedron",
+            [
+                Problem(
+                    f"tolerance = {tolerance:g}",
+                    f"one edge would need {most} segments, more than {MOST_SEGMENTS}; "
+                    f"{tolerance * (most / MOST_SEGMENTS) ** 2:.3g} is the least possible, and is it in the part's length unit?",
+                )
+            ],
+        )

@@ -1,0 +1,171 @@
+"""The boundary of a section moved between ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import gcd
+
+import numpy as np
+
+from ..arrays import Array
+from ..curves.curve import Curve
+from ..motions.ends import End, Ends
+from ..motions.motion import Motion
+from ..sections.loop import Loop
+from ..sections.section import LoopedSection
+from .boundary import Boundary
+from .edge import Edge, EdgeUse, Profile, Rail, Vertex
+from .faces import Cap, CapLoop, Patch
+from .pattern import ALONE, Pattern
+
+
+def swept_boundary(section: LoopedSection, motion: Motion, ends: Ends) -> Boundary:
+    """Patches of every section curve and the two caps; faces are named "loop i.j", "start" and "finish"."""
+    order = gcd(section.order, motion.rotation_order)
+    loops = [_SweptLoop(f"loop {i + 1}", loop.with_copies(order), motion, ends) for i, loop in enumerate(section.loops)]
+    patches = tuple(patch for loop in loops for patch in loop.patches)
+    if motion.closed(ends):
+        return Boundary(patches=patches, caps=())
+    start = Cap(
+        name="start",
+        surface=motion.end_surface(ends.start),
+        loops=tuple(CapLoop(uses=loop.chain(0), reverse=True) for loop in loops),
+    )
+    finish = Cap(
+        name="finish",
+        surface=motion.end_surface(ends.finish),
+        loops=tuple(CapLoop(uses=loop.chain(-1)) for loop in loops),
+    )
+    return Boundary(patches=patches, caps=(start, finish))
+
+
+@dataclass(frozen=True)
+class _SweptLoop:
+    """The vertices, edges and patches that one loop of a section sweeps.
+
+    Levels are the ends of the smooth spans, junctions the points between curves; the junction after the
+    last curve is the first of the next image.
+    """
+
+    name: str
+    loop: Loop
+    motion: Motion
+    ends: Ends
+
+    @cached_property
+    def _spans(self) -> tuple[Ends, ...]:
+        return self.ends.spans(self.motion.breaks(self.ends))
+
+    @cached_property
+    def _stations(self) -> tuple[End, ...]:
+        return (*(span.start for span in self._spans), self._spans[-1].finish)
+
+    @cached_property
+    def _pattern(self) -> Pattern:
+        return Pattern(order=self.loop.copies)
+
+    @cached_property
+    def _onward(self) -> int:
+        """Turns from one period to the next."""
+        return self.loop.sense if self.loop.copies > 1 else 0
+
+    @cached_property
+    def _vertices(self) -> list[list[Vertex]]:
+        levels: list[list[Vertex]] = []
+        for level, station in enumerate(self._stations):
+            row = [
+                levels[-1][j]
+                if levels and self._stationary(curve.start)
+                else self._vertex(f"{self.name}.{j}.{level}", curve.start, station)
+                for j, curve in enumerate(self.loop.curves)
+            ]
+            levels.append(row)
+        if self.motion.closed(self.ends):
+            levels[-1] = levels[0]
+        return levels
+
+    def _vertex(self, name: str, point: Array, station: End) -> Vertex:
+        position = self.motion.place(point, station.value(point))
+        on_axis = bool(np.all(position[:2] == 0.0))
+        return Vertex(name=name, position=position, pattern=ALONE if on_axis else self._pattern)
+
+    def _stationary(self, points: Array) -> bool:
+        """Whether the motion leaves section points where they are, as a revolution does on its axis."""
+        halfway = self.ends.value(points, np.full(points.shape[:-1], 0.5))
+        return bool(np.all(self.motion.velocity(points, halfway) == 0.0))
+
+    def _sweeps_nothing(self, curve: Curve) -> bool:
+        return self._stationary(curve.point(curve.parameter([0.0, 0.3, 0.7, 1.0])))
+
+    @cached_property
+    def _rails(self) -> list[list[Edge]]:
+        return [
+            [
+                Edge(
+                    name=f"rail {self.name}.{j}.{level}",
+                    curve=Rail(motion=self.motion, section_point=tuple(curve.start), ends=span),
+                    start=self._vertices[level][j],
+                    end=self._vertices[level + 1][j],
+                    pattern=self._vertices[level][j].pattern,
+                )
+                for j, curve in enumerate(self.loop.curves)
+            ]
+            for level, span in enumerate(self._spans)
+        ]
+
+    @cached_property
+    def _profiles(self) -> list[list[Edge]]:
+        levels: list[list[Edge]] = []
+        for level, station in enumerate(self._stations):
+            row = [
+                levels[-1][j] if levels and self._sweeps_nothing(curve) else self._profile(j, curve, level, station)
+                for j, curve in enumerate(self.loop.curves)
+            ]
+            levels.append(row)
+        if self.motion.closed(self.ends):
+            levels[-1] = levels[0]
+        return levels
+
+    def _profile(self, j: int, curve: Curve, level: int, station: End) -> Edge:
+        row = self._vertices[level]
+        last = j + 1 == len(row)
+        return Edge(
+            name=f"profile {self.name}.{j}.{level}",
+            curve=Profile(motion=self.motion, curve=curve, station=station, interval=curve.interval),
+            start=row[j],
+            end=row[0 if last else j + 1],
+            end_turn=self._onward if last else 0,
+            pattern=self._pattern,
+        )
+
+    @cached_property
+    def patches(self) -> tuple[Patch, ...]:
+        return tuple(
+            self._patch(j, curve, level, span)
+            for level, span in enumerate(self._spans)
+            for j, curve in enumerate(self.loop.curves)
+            if not self._sweeps_nothing(curve)
+        )
+
+    def _patch(self, j: int, curve: Curve, level: int, span: Ends) -> Patch:
+        last = j + 1 == len(self.loop.curves)
+        rails = self._rails[level]
+        return Patch(
+            name=f"{self.name}.{j + 1}",
+            curve=curve,
+            motion=self.motion,
+            ends=span,
+            sides=(
+                EdgeUse(edge=self._profiles[level][j]),
+                EdgeUse(edge=rails[0 if last else j + 1], turn=self._onward if last else 0),
+                EdgeUse(edge=self._profiles[level + 1][j], reverse=True),
+                EdgeUse(edge=rails[j], reverse=True),
+            ),
+            pattern=self._pattern,
+            surface=self.motion.swept_surface(curve),
+        )
+
+    def chain(self, level: int) -> tuple[EdgeUse, ...]:
+        """The profiles at a level, once around one period."""
+        return tuple(EdgeUse(edge=edge) for edge in self._profiles[level])

@@ -1,0 +1,146 @@
+"""Triangulation of a face: its border as it is sampled, and inner points where the surface or the shape asks.
+
+The border's points are kept exactly and none is added on it. Inner points are graded: as dense as the
+border next to them, sparser inward, and on a curved surface never sparser than its chord tolerance
+allows. The constrained Delaunay triangulation is pythoncdt's, in the surface's conformal chart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..arrays import Array, Indices
+from ..errors import GeometryError, Problem
+from ..surfaces.surface import Surface
+
+_GRADING = 0.6  # cell size by distance from the border: neighbours then differ by less than a factor of two
+_CLEARANCE = 0.6  # distance of inner points from the border, by the local spacing
+_ROUNDS = 8  # insertions after which a triangle beyond the tolerance is refused
+
+
+@dataclass(frozen=True, kw_only=True)
+class Grading:
+    """How far apart points of a face's chart should lie, by where they are.
+
+    border    (n, 2)  points of the border
+    spacing   (n,)    their own spacing
+    """
+
+    surface: Surface
+    tolerance: float
+    border: Array
+    spacing: Array
+
+    def size(self, points: Array) -> tuple[Array, Array]:
+        """Distance between neighbours (n,) wanted at points (n, 2), and clearance (n,) from the border they have.
+
+        The clearance is relative to the spacing of the nearest border point.
+        """
+        distance, nearest = cKDTree(self.border).query(points)
+        local = self.spacing[nearest]
+        size = np.minimum(np.maximum(_GRADING * distance, local), self.surface.spacing(self.tolerance, points))
+        return size, distance / local
+
+    def points(self) -> Array:
+        """Inner points (k, 2): centres of the cells of a quadtree as small as wanted, clear of the border."""
+        low, high = self.border.min(axis=0), self.border.max(axis=0)
+        side = float(np.max(high - low)) / 4.0
+        quarter = np.array([[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]])
+        cells = (low + high) / 2.0 + side * np.stack(np.meshgrid(*2 * [np.arange(4) - 1.5]), axis=-1).reshape(-1, 2)
+        kept = []
+        while len(cells):
+            wanted, clearance = self.size(cells)
+            fits = side <= wanted
+            kept.append(cells[fits & (clearance > _CLEARANCE)])
+            cells = (cells[~fits][:, None, :] + side / 4.0 * quarter).reshape(-1, 2)
+            side /= 2.0
+        return np.concatenate(kept)
+
+
+def triangulate(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
+    """Inner points (k, 3) and triangles (m, 3) of the face that loops (n_i, 3) bound on a surface.
+
+    Triangles index the loops' points in order, then the inner points, and turn as the loops do.
+    Raises GeometryError where the loops cross.
+    """
+    charts = [surface.chart(loop) for loop in loops]
+    inner, triangles = triangulate_chart(surface, charts, tolerance)
+    return surface.point(inner), triangles
+
+
+def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
+    """The same in the chart of the surface: loops (n_i, 2), inner points (k, 2)."""
+    border = np.concatenate(loops)
+    constraints = _closed_chains([len(loop) for loop in loops])
+    spacing = spacing_along(border, constraints)
+    inner = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing).points()
+    for _ in range(_ROUNDS):
+        points = np.concatenate([border, inner])
+        triangles = _delaunay(points, constraints)
+        middles = surface.point(points)[triangles].mean(axis=1)
+        far = surface.deviation(middles) > tolerance
+        if not far.any():
+            break
+        inner = np.concatenate([inner, surface.chart(middles[far])])
+    else:
+        raise GeometryError(
+            "An end face cannot be triangulated to this tolerance",
+            [Problem(f"tolerance = {tolerance:g}", "ask for another one")],
+        )
+    if sum(signed_area(loop) for loop in loops) < 0.0:
+        triangles = triangles[:, ::-1]
+    used, triangles = _without_unused(triangles, len(border), len(points))
+    return inner[used], triangles
+
+
+def _delaunay(points: Array, constraints: Indices) -> Indices:
+    """Counter-clockwise triangles (m, 3) inside the constrained loops."""
+    import pythoncdt as cdt
+
+    triangulation = cdt.Triangulation(
+        cdt.VertexInsertionOrder.AUTO, cdt.IntersectingConstraintEdges.NOT_ALLOWED, 0.0
+    )
+    try:
+        triangulation.insert_vertices(np.ascontiguousarray(points))
+        triangulation.insert_edges(constraints.astype(np.uintc))
+    except RuntimeError as error:
+        raise GeometryError(
+            "An end face cannot be triangulated",
+            [Problem("its loops", f"cross or touch when sampled ({error}); a finer tolerance keeps them apart")],
+        ) from error
+    triangulation.erase_outer_triangles_and_holes()
+    return triangulation.triangles_array()["vertices"].astype(np.int64)
+
+
+def spacing_along(border: Array, constraints: Indices) -> Array:
+    """The longer (n,) of the segments (k, 2) that meet at each point (n, 2) of a border."""
+    lengths = np.linalg.norm(border[constraints[:, 1]] - border[constraints[:, 0]], axis=1)
+    spacing = np.zeros(len(border))
+    np.maximum.at(spacing, constraints.ravel(), np.repeat(lengths, 2))
+    return spacing
+
+
+def _closed_chains(counts: Sequence[int]) -> Indices:
+    """Segments (n, 2) of closed loops of so many points each, numbered on."""
+    starts = np.cumsum([0, *counts[:-1]])
+    return np.concatenate(
+        [np.stack([np.arange(n), np.roll(np.arange(n), -1)], axis=1) + s for s, n in zip(starts, counts, strict=True)]
+    )
+
+
+def signed_area(polygon: Array) -> float:
+    """Area of a polygon (n, 2), positive where it runs counter-clockwise."""
+    x, y = polygon[:, 0], polygon[:, 1]
+    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2.0)
+
+
+def _without_unused(triangles: Indices, fixed: int, total: int) -> tuple[Indices, Indices]:
+    """Inner points that a triangle uses, and the triangles renumbered to them."""
+    seen = np.zeros(total, bool)
+    seen[triangles] = True
+    seen[:fixed] = True
+    return np.flatnonzero(seen[fixed:]), (np.cumsum(seen) - 1)[triangles]
