@@ -1,0 +1,1 @@
+"""Elements: frozen parameters that yield sections, motions and solids; one file a kind."""

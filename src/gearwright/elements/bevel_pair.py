@@ -1,0 +1,181 @@
+"""A pair of bevel gears."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Array
+from ..parameters import Problems, Size, declared, member_value
+from . import declarations as d
+from .bevel_gear import BevelGear, internal_bevel, pitch_cone_angle
+from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
+from .element import module_in, require_one_pitch
+
+
+@dataclass(frozen=True, kw_only=True)
+class BevelPair:
+    """A bevel pinion and gear on intersecting axes, pinion first.
+
+    Sizing is explicit, as Al-Daccak 1989 has it: working depth (default two modules), whole depth
+    (default 2.25 modules) and the gear's addendum (default half the working depth), at the outer end.
+    Both members share the cone distance; the gear has the other hand. Raises ParameterError with every
+    problem of both members and of their engagement.
+    """
+
+    teeth: tuple[int, int] = declared(d.TEETH, members="each")
+    module: float | None = declared(d.MODULE, default=None)
+    diametral_pitch: float | None = declared(d.DIAMETRAL_PITCH, default=None)
+    shaft_angle: float = declared(d.SHAFT_ANGLE, default=90.0)
+    face_width: float = declared(d.FACE_WIDTH)
+    working_depth: float | None = declared(d.WORKING_DEPTH, default=None)
+    whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None)
+    gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None)
+    pressure_angle: float = declared(d.PRESSURE_ANGLE, default=20.0)
+    circular_thickness: float | tuple[float, float] | None = declared(d.CIRCULAR_THICKNESS, default=None, members="both")
+    backlash: float = declared(d.BACKLASH, default=0.0)
+    bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
+    trace: str = declared(d.TRACE, default="straight")
+    spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
+    hand: str = declared(d.HAND, default="right")
+    root: str = declared(d.ROOT, default="radial")
+    ends: str = declared(d.BEVEL_ENDS, default="spherical")
+    length_unit: str = declared(d.LENGTH_UNIT, default="mm")
+
+    def __post_init__(self) -> None:
+        problems = Problems(self)
+        require_one_pitch(problems, self.module, self.diametral_pitch)
+        if self.trace == "straight" and self.spiral_angle:
+            problems.add("spiral_angle", 'a straight trace has none; choose trace "logarithmic", or leave it out')
+        if problems.computable() and self._check_cones(problems) and self._check_depths(problems):
+            problems.add_members({"pinion": lambda: self.pinion, "gear": lambda: self.gear})
+        if problems.sound():
+            self._check_engagement(problems)
+        problems.raise_any()
+
+    def _check_cones(self, problems: Problems) -> bool:
+        steepest = max(self._pitch_cone_angles)
+        if steepest > np.pi / 2.0 + 1e-12:
+            problems.add("shaft_angle", internal_bevel(steepest))
+            return False
+        return True
+
+    def _check_depths(self, problems: Problems) -> bool:
+        unit = self.length_unit
+        if self._whole_depth <= self._working_depth:
+            problems.add(
+                "whole_depth",
+                f"must be greater than the working depth, {self._working_depth:.4g} {unit}; "
+                "their difference is the clearance at the root",
+            )
+        if self._gear_addendum >= self._working_depth:
+            problems.add(
+                "gear_addendum",
+                f"less than the working depth, {self._working_depth:.4g} {unit}; the rest is the pinion's addendum",
+            )
+        return problems.sound("whole_depth", "gear_addendum")
+
+    def _check_engagement(self, problems: Problems) -> None:
+        unit, members = self.length_unit, (self.pinion, self.gear)
+        for member, mate, name in zip(members, members[::-1], ("pinion", "gear"), strict=True):
+            limit = interference_limit(member.tooth, mate.tooth)
+            if member.face_angle > limit + 1e-12:
+                most = member.cone_distance * np.tan(limit - member.pitch_cone_angle)
+                problems.add(
+                    "gear_addendum" if name == "gear" else "working_depth",
+                    f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, would meet "
+                    f"its mate below the base cone; at most {most:.4g} {unit} there "
+                    "(more teeth or a larger pressure angle allow more)",
+                )
+        pitch = np.pi * self.pinion.outer_module
+        thickness = self.pinion.outer_thickness + self.gear.outer_thickness
+        if thickness > pitch * (1.0 + 1e-12):
+            problems.add(
+                "circular_thickness",
+                f"interference: the two teeth are together {thickness:.4g} {unit} thick and share a pitch of "
+                f"{pitch:.4g} {unit}; make them thinner",
+            )
+
+    @property
+    def _module(self) -> float:
+        return module_in(self.length_unit, self.module, self.diametral_pitch)
+
+    @property
+    def _working_depth(self) -> float:
+        return 2.0 * self._module if self.working_depth is None else self.working_depth
+
+    @property
+    def _whole_depth(self) -> float:
+        return 2.25 * self._module if self.whole_depth is None else self.whole_depth
+
+    @property
+    def _gear_addendum(self) -> float:
+        return self._working_depth / 2.0 if self.gear_addendum is None else self.gear_addendum
+
+    @cached_property
+    def _pitch_cone_angles(self) -> tuple[float, float]:
+        z1, z2 = self.teeth
+        shaft = np.radians(self.shaft_angle)
+        return pitch_cone_angle(z1, z2, shaft), pitch_cone_angle(z2, z1, shaft)
+
+    def _member(self, member: int) -> BevelGear:
+        addendum = (self._working_depth - self._gear_addendum, self._gear_addendum)[member]
+        other_hand = "left" if self.hand == "right" else "right"
+        return BevelGear(
+            teeth=self.teeth[member],
+            module=self.module,
+            diametral_pitch=self.diametral_pitch,
+            mate_teeth=self.teeth[1 - member],
+            shaft_angle=self.shaft_angle,
+            face_width=self.face_width,
+            addendum=addendum,
+            dedendum=self._whole_depth - addendum,
+            pressure_angle=self.pressure_angle,
+            circular_thickness=member_value(self.circular_thickness, member),
+            backlash=self.backlash,
+            bore=member_value(self.bore, member),
+            trace=self.trace,
+            spiral_angle=self.spiral_angle,
+            hand=(self.hand, other_hand)[member],
+            root=self.root,
+            ends=self.ends,
+            length_unit=self.length_unit,
+        )
+
+    @cached_property
+    def pinion(self) -> BevelGear:
+        """The first member, in its own frame."""
+        return self._member(0)
+
+    @cached_property
+    def gear(self) -> BevelGear:
+        """The second member, in its own frame."""
+        return self._member(1)
+
+    def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
+        """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees.
+
+        Common apex at the origin, pinion axis +z, gear axis at the shaft angle towards +x.
+        """
+        return meshing_placements(np.radians(self.shaft_angle), *self.teeth, np.radians(turn))
+
+    def sizes(self) -> dict[str, Size]:
+        """Sizes of the pair; each member has its own."""
+        pinion, gear = self.pinion, self.gear
+        limits = [
+            float(np.degrees(interference_limit(a.tooth, b.tooth))) for a, b in ((pinion, gear), (gear, pinion))
+        ]
+        return {
+            "shaft_angle": Size(self.shaft_angle, "angle", "Σ", "angle between the axes"),
+            "gear_ratio": Size(self.teeth[1] / self.teeth[0], "", "u", "teeth of the gear over teeth of the pinion"),
+            "outer_module": Size(pinion.outer_module, "length", "m_et", "transverse module at the outer end"),
+            "cone_distance": Size(pinion.cone_distance, "length", "R_e", "outer cone distance"),
+            "working_depth": Size(self._working_depth, "length", "h_wk", "sum of the addenda, outer"),
+            "whole_depth": Size(self._whole_depth, "length", "h_e", "addendum and dedendum of a member, outer"),
+            "clearance": Size(self._whole_depth - self._working_depth, "length", "c", "from tip to mate's root, outer"),
+            "contact_ratio": Size(contact_ratio(pinion.tooth, gear.tooth), "", "ε_α", "transverse contact ratio"),
+            "pinion_face_angle_limit": Size(limits[0], "angle", "δ_a1max", "face angle at which interference begins"),
+            "gear_face_angle_limit": Size(limits[1], "angle", "δ_a2max", "face angle at which interference begins"),
+        }

@@ -1,0 +1,41 @@
+"""What the parameters shared by several elements mean, declared once."""
+
+from __future__ import annotations
+
+from ..parameters import MILLIMETRES, Parameter
+
+TEETH = Parameter(meaning="number of teeth", kind="integer", symbol="z", minimum=3, maximum=10_000)
+MATE_TEETH = Parameter(meaning="number of teeth of the mate", kind="integer", symbol="z", minimum=3, maximum=10_000)
+MODULE = Parameter(meaning="module, always in mm (bevel gears: at the outer end)", unit="mm", symbol="m", above=0)
+DIAMETRAL_PITCH = Parameter(meaning="teeth per inch of pitch diameter", unit="per inch", symbol="P_d", above=0)
+FACE_WIDTH = Parameter(meaning="width of the teeth (bevel gears: along the cone)", unit="length", symbol="b", above=0)
+PRESSURE_ANGLE = Parameter(meaning="transverse pressure angle", unit="angle", symbol="α", above=0, below=60)
+SHAFT_ANGLE = Parameter(meaning="angle between the axes", unit="angle", symbol="Σ", above=0, below=180)
+PITCH_ANGLE = Parameter(meaning="half-angle of the pitch cone", unit="angle", symbol="δ", above=0, maximum=90)
+ADDENDUM = Parameter(meaning="height of the tooth above the pitch line", unit="length", symbol="h_a", above=0)
+DEDENDUM = Parameter(meaning="depth of the tooth below the pitch line", unit="length", symbol="h_f", above=0)
+WORKING_DEPTH = Parameter(meaning="sum of the members' addenda", unit="length", symbol="h_w", above=0)
+WHOLE_DEPTH = Parameter(meaning="addendum and dedendum of a member", unit="length", symbol="h", above=0)
+GEAR_ADDENDUM = Parameter(meaning="addendum of the gear, the second member", unit="length", symbol="h_a2", above=0)
+CIRCULAR_THICKNESS = Parameter(
+    meaning="arc thickness of a tooth on the (outer) pitch circle; half the pitch if not given",
+    unit="length",
+    symbol="s",
+    above=0,
+)
+BACKLASH = Parameter(
+    meaning="circular backlash on the (outer) pitch circle, half from each member", unit="length", symbol="j_t", minimum=0
+)
+BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_b", above=0)
+TRACE = Parameter(meaning="tooth trace along the face", kind="choice", choices=("straight", "logarithmic"))
+SPIRAL_ANGLE = Parameter(
+    meaning="spiral angle at the mean cone distance", unit="angle", symbol="β_m", minimum=0, maximum=75
+)
+HAND = Parameter(meaning="hand of the spiral (a pair: of the pinion)", kind="choice", choices=("right", "left"))
+ROOT = Parameter(
+    meaning="flank below the base circle or cone: radial carries on straight to the root",
+    kind="choice",
+    choices=("radial",),
+)
+BEVEL_ENDS = Parameter(meaning="end faces: spheres about the apex", kind="choice", choices=("spherical",))
+LENGTH_UNIT = Parameter(meaning="unit of all lengths in and out", kind="choice", choices=tuple(MILLIMETRES))

@@ -1,0 +1,53 @@
+"""The concept of an element: frozen parameters that yield a solid."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+
+from ..boundary.boundary import Boundary
+from ..parameters import MILLIMETRES, Problems, Size
+from ..solids.polyhedron import Polyhedron
+from ..solids.properties import MassProperties
+from ..solids.solid import Solid
+
+
+class Element(ABC):
+    """One part: its parameters are its fields, its shape is `solid`, in its own frame and length unit."""
+
+    @property
+    @abstractmethod
+    def solid(self) -> Solid:
+        """The part as section + motion + ends."""
+
+    @abstractmethod
+    def sizes(self) -> dict[str, Size]:
+        """Derived sizes by name."""
+
+    @property
+    def boundary(self) -> Boundary:
+        return self.solid.boundary
+
+    def properties(self, density: float = 1.0) -> MassProperties:
+        """Volume, centroid and inertia; density in mass per cubed length unit."""
+        return self.solid.properties(density)
+
+    def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
+        """A watertight polyhedron within a chord tolerance (length); default 1e-4 × bounding diagonal."""
+        return self.solid.polyhedron(tolerance)
+
+    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+        """Writes the polyhedron to a file in the format of its suffix."""
+        self.solid.save(path, tolerance)
+
+
+def module_in(length_unit: str, module: float | None, diametral_pitch: float | None) -> float:
+    """Module in the length unit, from the module in mm or the diametral pitch per inch."""
+    millimetres = module if module is not None else 25.4 / (diametral_pitch or float("nan"))
+    return millimetres / MILLIMETRES[length_unit]
+
+
+def require_one_pitch(problems: Problems, module: float | None, diametral_pitch: float | None) -> None:
+    """Adds a problem unless exactly one of module and diametral pitch is given."""
+    if (module is None) == (diametral_pitch is None):
+        problems.add("module", "give either the module (mm) or the diametral pitch (per inch), not both and not neither")

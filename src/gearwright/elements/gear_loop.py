@@ -1,0 +1,23 @@
+"""The outline of a gear: one symmetric tooth and its space, repeated about the axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..curves.curve import Curve, mapped, turn
+from ..sections.loop import Loop
+
+
+def gear_loop(rising: Sequence[Curve], tip: Curve, root: Curve, teeth: int) -> Loop:
+    """The loop of all teeth, the first one centred on +x.
+
+    rising   curves of the flank on the clockwise side of the first tooth, from root to tip; the other
+             flank is its mirror image
+    tip      from flank to flank across the tooth
+    root     from the tooth to the next one
+
+    The curves lie in the plane or on the unit sphere.
+    """
+    mirror = turn(0.0, tip.start.size, mirrored=True)
+    falling = [mapped(curve, mirror).reversed() for curve in reversed(rising)]
+    return Loop(curves=(*rising, tip, *falling, root), copies=teeth)

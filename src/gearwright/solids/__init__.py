@@ -1,0 +1,1 @@
+"""Solids: swept, composite and polyhedral, with their properties."""

@@ -1,0 +1,68 @@
+"""The concept of a solid: a boundary and the moments of what it bounds."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+
+import numpy as np
+
+from ..boundary.boundary import Boundary
+from ..boundary.flux import boundary_flux
+from ..boundary.sampling import sampling
+from ..boundary.tessellation import tessellate
+from ..moments.body import BodyMoments, about_centroid
+from ..moments.boundary_integral import converged
+from .polyhedron import Polyhedron
+from .properties import MassProperties
+
+DEFAULT_TOLERANCE = 1e-4
+"""Chord tolerance of a polyhedron, relative to the diagonal of the bounding box."""
+
+
+class Solid(ABC):
+    """A body with an exact boundary. Lengths are in whatever unit it was built in."""
+
+    @property
+    @abstractmethod
+    def boundary(self) -> Boundary:
+        """Edges, patches and caps."""
+
+    @property
+    @abstractmethod
+    def moments(self) -> BodyMoments:
+        """Moments by the best route the solid has."""
+
+    def properties(self, density: float = 1.0) -> MassProperties:
+        """Volume, centroid and inertia; density in mass per cubed length unit."""
+        return MassProperties.from_moments(self.moments, density=density)
+
+    def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
+        """A watertight polyhedron with every chord within the tolerance (length) of the solid's surface.
+
+        Default tolerance: 1e-4 × bounding diagonal. Raises GeometryError where it cannot be met.
+        """
+        if tolerance is None:
+            tolerance = DEFAULT_TOLERANCE * diagonal(self.boundary)
+        return Polyhedron(*tessellate(self.boundary, sampling(self.boundary, tolerance)))
+
+    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+        """Writes the polyhedron to a file in the format of its suffix."""
+        self.polyhedron(tolerance).save(path)
+
+
+def flux_moments(boundary: Boundary) -> BodyMoments:
+    """Moments by flux through the boundary, with nodes increased until they settle."""
+    matrix, error = converged(lambda nodes: boundary_flux(boundary.patches, boundary.caps, nodes).matrix)
+    return about_centroid(matrix, "quadrature", error)
+
+
+def diagonal(boundary: Boundary) -> float:
+    """Diagonal of the bounding box, from points along all edges."""
+    points = np.concatenate(
+        [
+            edge.pattern.images(edge.curve.point(edge.curve.parameter(np.linspace(0.0, 1.0, 9)))).reshape(-1, 3)
+            for edge in boundary.edges
+        ]
+    )
+    return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
