@@ -7,7 +7,7 @@ imports numpy, so that an edge can list every option without loading a kernel.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal, TypeVar
 
@@ -159,11 +159,13 @@ class Problems:
         self._found.append(Problem(f"{name} = {value}", message))
         self._names.add(name)
 
-    def add_members(self, members: Mapping[str, Callable[[], object]]) -> None:
+    def add_members(self, members: Mapping[str, Callable[[], object]], settled: Collection[str] = ()) -> None:
         """Builds members of the element and adds their problems, once where they share them.
 
-        Problems of parameters that are already named here are left out.
+        Problems of parameters that are already named here are left out, and so are `settled` ones, which
+        the element itself sets from a parameter of its own.
         """
+        known = {*self._names, *settled}
         found: dict[Problem, list[str]] = {}
         for member, build in members.items():
             try:
@@ -172,10 +174,11 @@ class Problems:
                 for problem in error.problems:
                     found.setdefault(problem, []).append(member)
         for problem, owners in found.items():
-            if problem.subject.split(" = ")[0] not in self._names:
+            name = problem.subject.split(" = ")[0]
+            if name not in known:
                 prefix = "" if len(owners) == len(members) else f"{owners[0]} "
                 self._found.append(Problem(prefix + problem.subject, problem.message))
-                self._names.add(problem.subject.split(" = ")[0])
+                self._names.add(name)
 
     def computable(self) -> bool:
         """Whether every value given is a finite number of the right sign, or a word that is known.
@@ -236,4 +239,3 @@ class Size:
     unit: Unit
     symbol: str
     meaning: str
-

@@ -50,7 +50,9 @@ class Boundary:
         forward = Counter(use.edge for use in self.uses() if not use.reverse)
         backward = Counter(use.edge for use in self.uses() if use.reverse)
         return [
-            Problem(f"edge {edge.name}", f"used {forward[edge]} times forward and {backward[edge]} backward, not once each")
+            Problem(
+                f"edge {edge.name}", f"used {forward[edge]} times forward and {backward[edge]} backward, not once each"
+            )
             for edge in self.edges
             if (forward[edge] + backward[edge] != 1 if edge.degenerate else (forward[edge], backward[edge]) != (1, 1))
         ]
@@ -59,7 +61,9 @@ class Boundary:
         flux = boundary_flux(self.patches, self.caps, _CHECK_NODES)
         residual = float(np.linalg.norm(flux.area_vector)) / flux.area
         if not residual <= CLOSED:
-            return [Problem(f"∮ n dA / ∮ dA = {residual:.3g}", "must vanish; a face lies apart from its edges or is turned")]
+            return [
+                Problem(f"∮ n dA / ∮ dA = {residual:.3g}", "must vanish; a face lies apart from its edges or is turned")
+            ]
         if not flux.matrix[0, 0] > 0.0:
             return [Problem(f"volume = {flux.matrix[0, 0]:.6g}", "must be positive; the faces are turned inward")]
         return []

@@ -19,7 +19,7 @@ class Pattern:
     def images(self, points: Array) -> Array:
         """The images (order, n, 3) of points (n, 3), the sector itself first."""
         turns = np.stack([turn(2.0 * np.pi * k / self.order, 3) for k in range(self.order)])
-        return np.asarray(points @ np.swapaxes(turns, 1, 2))
+        return points @ np.swapaxes(turns, 1, 2)
 
 
 ALONE = Pattern()

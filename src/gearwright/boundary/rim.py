@@ -21,7 +21,9 @@ _WIDEST_RING = 0.9  # of the smallest radius of the outer loop, so that there is
 _NARROWEST_ROOM = 1.2  # of the largest radius of the inner loops
 
 
-def triangulate_pattern(surface: Surface, loops: Sequence[Array], tolerance: float, order: int) -> tuple[Array, Indices]:
+def triangulate_pattern(
+    surface: Surface, loops: Sequence[Array], tolerance: float, order: int
+) -> tuple[Array, Indices]:
     """As `triangulate`, for loops (n_i, 3) of which the first, the outer one, is `order` turned periods about z.
 
     The surface's chart must turn with it about its own origin. Falls back on the whole face where the
@@ -102,9 +104,7 @@ class _Rim:
         arc = np.stack([turn(step * j / self.divisions, 2) @ direction for j in range(self.divisions)]) * self.ring
         cut = self._cut(direction)
         turned = turn(step, 2)
-        border = np.concatenate(
-            [period, [turned @ start], cut @ turned.T, [turned @ arc[0]], arc[::-1], cut[::-1]]
-        )
+        border = np.concatenate([period, [turned @ start], cut @ turned.T, [turned @ arc[0]], arc[::-1], cut[::-1]])
         inner, triangles = triangulate_chart(self.surface, [border], self.tolerance)
         own = np.concatenate([cut, inner])
         numbers = self._numbers(count, len(cut), len(inner))

@@ -29,6 +29,20 @@ _MARGIN = 1.1  # the bounds above are taken at sample points
 _DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
 
 
+def _sample_points() -> tuple[tuple[Array, Array], slice, slice, slice]:
+    """Fractions (u, v) inside a patch and on its borders along u and along v, and the slices of each."""
+    along, up = (np.arange(16) + 0.5) / 16.0, (np.arange(8) + 0.5) / 8.0
+    inside = np.stack(np.meshgrid(along, up), axis=-1).reshape(-1, 2)
+    border_u = np.stack(np.meshgrid(along, [0.0, 1.0]), axis=-1).reshape(-1, 2)
+    border_v = np.stack(np.meshgrid([0.0, 1.0], up), axis=-1).reshape(-1, 2)
+    u, v = np.concatenate([inside, border_u, border_v]).T
+    first, second = len(inside), len(inside) + len(border_u)
+    return (u, v), slice(0, first), slice(first, second), slice(second, None)
+
+
+_SAMPLES, _INSIDE, _BORDER_U, _BORDER_V = _sample_points()
+
+
 @dataclass(frozen=True, kw_only=True)
 class Sampling:
     """Segments of every edge, and the chord tolerance that the inner points of caps keep."""
@@ -99,15 +113,17 @@ class _Bounds:
 
     @classmethod
     def of(cls, patch: Patch) -> _Bounds:
-        u, v = np.meshgrid((np.arange(16) + 0.5) / 16.0, (np.arange(8) + 0.5) / 8.0, indexing="ij")
-        normal = _unit(patch.area_vector(u, v))
+        u, v = _SAMPLES
+        du, dv = patch.partials(u, v)
+        normal = _unit(np.cross(du, dv))
         uu, uv, vv = _second_partials(patch, u, v)
+        across_u, across_v = _across(uu, du), _across(vv, dv)
         return cls(
-            uu=_greatest(normal * uu),
-            uv=_greatest(normal * uv),
-            vv=_greatest(normal * vv),
-            border_u=max(_border(patch, u[:, 0], np.full(16, end), 0) for end in (0.0, 1.0)),
-            border_v=max(_border(patch, np.full(8, end), v[0], 1) for end in (0.0, 1.0)),
+            uu=_greatest(np.abs(np.sum(normal * uu, axis=-1))[_INSIDE]),
+            uv=_greatest(np.abs(np.sum(normal * uv, axis=-1))[_INSIDE]),
+            vv=_greatest(np.abs(np.sum(normal * vv, axis=-1))[_INSIDE]),
+            border_u=_greatest(across_u[_BORDER_U]),
+            border_v=_greatest(across_v[_BORDER_V]),
         )
 
     def columns(self, layers: Array | int, tolerance: float) -> Array:
@@ -143,20 +159,19 @@ def _second_partials(patch: Patch, u: Array, v: Array) -> tuple[Array, Array, Ar
     )
 
 
-def _border(patch: Patch, u: Array, v: Array, direction: int) -> float:
-    tangent = _unit(patch.partials(u, v)[direction])
-    second = _second_partials(patch, u, v)[2 * direction]
-    across = second - tangent * np.sum(second * tangent, axis=-1, keepdims=True)
-    return _MARGIN * float(np.max(np.linalg.norm(across, axis=-1)))
+def _across(second: Array, tangent: Array) -> Array:
+    """Length (n,) of the part of second partials (n, 3) across the tangents (n, 3)."""
+    along = _unit(tangent)
+    return np.linalg.norm(second - along * np.sum(second * along, axis=-1, keepdims=True), axis=-1)
 
 
 def _unit(vectors: Array) -> Array:
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return np.asarray(vectors / np.where(lengths > 0.0, lengths, 1.0))
+    return vectors / np.where(lengths > 0.0, lengths, 1.0)
 
 
-def _greatest(products: Array) -> float:
-    return _MARGIN * float(np.max(np.abs(products.sum(axis=-1))))
+def _greatest(values: Array) -> float:
+    return _MARGIN * float(np.max(values))
 
 
 def _require_possible(segments: Mapping[Edge, int], tolerance: float) -> None:
@@ -167,8 +182,8 @@ def _require_possible(segments: Mapping[Edge, int], tolerance: float) -> None:
             [
                 Problem(
                     f"tolerance = {tolerance:g}",
-                    f"one edge would need {most} segments, more than {MOST_SEGMENTS}; "
-                    f"{tolerance * (most / MOST_SEGMENTS) ** 2:.3g} is the least possible, and is it in the part's length unit?",
+                    f"one edge would need {most} segments, more than {MOST_SEGMENTS}; take at least "
+                    f"{tolerance * (most / MOST_SEGMENTS) ** 2:.3g}; is it in the part's length unit?",
                 )
             ],
         )

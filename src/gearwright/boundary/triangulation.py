@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -81,11 +82,10 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
     for _ in range(_ROUNDS):
         points = np.concatenate([border, inner])
         triangles = _delaunay(points, constraints)
-        middles = surface.point(points)[triangles].mean(axis=1)
-        far = surface.deviation(middles) > tolerance
+        far = _deviation(surface, surface.point(points)[triangles]) > tolerance
         if not far.any():
             break
-        inner = np.concatenate([inner, surface.chart(middles[far])])
+        inner = np.concatenate([inner, points[triangles[far]].mean(axis=1)])
     else:
         raise GeometryError(
             "An end face cannot be triangulated to this tolerance",
@@ -97,16 +97,22 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
     return inner[used], triangles
 
 
+def _deviation(surface: Surface, corners: Array) -> Array:
+    """Greatest distance (m,) from the surface of triangles (m, 3, 3) whose corners lie on it."""
+    middles = (corners + np.roll(corners, 1, axis=1)) / 2.0
+    return np.maximum(surface.deviation(corners.mean(axis=1)), surface.deviation(middles).max(axis=1))
+
+
 def _delaunay(points: Array, constraints: Indices) -> Indices:
     """Counter-clockwise triangles (m, 3) inside the constrained loops."""
     import pythoncdt as cdt
 
-    triangulation = cdt.Triangulation(
-        cdt.VertexInsertionOrder.AUTO, cdt.IntersectingConstraintEdges.NOT_ALLOWED, 0.0
-    )
+    triangulation = cdt.Triangulation(cdt.VertexInsertionOrder.AUTO, cdt.IntersectingConstraintEdges.NOT_ALLOWED, 0.0)
+    vertices: Any = np.ascontiguousarray(points)  # arrays are buffers, which Python 3.11 cannot say
+    edges: Any = constraints.astype(np.uintc)
     try:
-        triangulation.insert_vertices(np.ascontiguousarray(points))
-        triangulation.insert_edges(constraints.astype(np.uintc))
+        triangulation.insert_vertices(vertices)
+        triangulation.insert_edges(edges)
     except RuntimeError as error:
         raise GeometryError(
             "An end face cannot be triangulated",

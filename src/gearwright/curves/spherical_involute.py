@@ -101,7 +101,9 @@ def roll_at_polar_angle(polar_angle: ArrayLike, base_cone_angle: float) -> Array
     _require_cone(base_cone_angle)
     gamma, delta = base_cone_angle, np.asarray(polar_angle, float)
     if not np.all((delta >= gamma) & (delta <= np.pi - gamma)):
-        raise ValueError(f"the involute of a {np.degrees(gamma):.6g}° base cone lies between that angle and its supplement")
+        raise ValueError(
+            f"the involute of a {np.degrees(gamma):.6g}° base cone lies between that angle and its supplement"
+        )
     half_sum, half_difference = (delta + gamma) / 2.0, (delta - gamma) / 2.0
     sin_squared = np.sin(half_sum) * np.sin(half_difference)  # both times cos γ_b
     cos_squared = np.cos(half_sum) * np.cos(half_difference)
@@ -113,7 +115,7 @@ def roll_at_azimuth(azimuth_angle: ArrayLike, base_cone_angle: float) -> Array:
 
     Newton's method on ψ^{1/3}, nearly linear in β at the cusp, kept in a bracket; the upper half of the
     curve by its symmetry about the equator. Raises ValueError where the curve does not reach.
-    Source: inverts Al-Daccak 1989, eq. (3.9), in place of the thesis's eq. (3.13), whose derivative vanishes at the cusp.
+    Source: inverts Al-Daccak 1989, eq. (3.9); eq. (3.13) there has a derivative that vanishes at the cusp.
     """
     _require_cone(base_cone_angle)
     s, c = np.sin(base_cone_angle), np.cos(base_cone_angle)

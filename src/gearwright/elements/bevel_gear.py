@@ -21,6 +21,7 @@ from ..solids.composite import Composite
 from ..solids.solid import Solid
 from ..solids.swept import Swept
 from . import declarations as d
+from . import refusals
 from .bevel_tooth import BevelTooth
 from .element import Element, module_in, require_one_pitch
 
@@ -61,7 +62,7 @@ class BevelGear(Element):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         self._check_cone(problems)
         if self.trace == "straight" and self.spiral_angle:
-            problems.add("spiral_angle", 'a straight trace has none; choose trace "logarithmic", or leave it out')
+            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
         if problems.computable() and problems.sound("module", "pitch_angle", "shaft_angle"):
             self._check_blank(problems)
         if problems.sound():
@@ -70,11 +71,13 @@ class BevelGear(Element):
 
     def _check_cone(self, problems: Problems) -> None:
         if (self.pitch_angle is None) == (self.mate_teeth is None):
-            problems.add("pitch_angle", "give either the pitch angle, or mate_teeth (and a shaft angle if it is not 90°)")
+            problems.add(
+                "pitch_angle", "give either the pitch angle, or mate_teeth (and a shaft angle if it is not 90°)"
+            )
         elif self.pitch_angle is not None and self.shaft_angle is not None:
             problems.add("shaft_angle", "goes with mate_teeth; a pitch angle alone settles the cone")
         elif problems.computable() and problems.sound("module") and self.pitch_cone_angle > np.pi / 2.0 + 1e-12:
-            problems.add("shaft_angle", internal_bevel(self.pitch_cone_angle))
+            problems.add("shaft_angle", refusals.internal_bevel(self.pitch_cone_angle))
 
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
@@ -92,29 +95,28 @@ class BevelGear(Element):
             if self.bore >= limit:
                 problems.add(
                     "bore",
-                    f"cuts into the tooth roots at the small end; less than the root diameter there, {limit:.4g} {unit}",
+                    refusals.bore_in_roots(limit, unit),
                 )
 
     def _check_tooth(self, problems: Problems) -> None:
         tooth, unit = self.tooth, self.length_unit
         if tooth.flank_start >= self.pitch_cone_angle:
-            problems.add("pressure_angle", "leaves no involute below the pitch cone; a larger one does")
+            problems.add("pressure_angle", refusals.no_involute("cone"))
             return
         if tooth.face_angle >= tooth.pointed_angle:
             limit = self.cone_distance * np.tan(tooth.pointed_angle - self.pitch_cone_angle)
             problems.add(
                 "addendum",
-                f"the tooth comes to a point inside the face cone; less than {limit:.4g} {unit} "
-                "(a smaller pressure angle or a thicker tooth allows more)",
+                refusals.pointed_tooth(limit, unit),
             )
         if tooth.root_space <= 0.0:
             limit = self.outer_thickness + tooth.root_space * self.pitch_radius
             problems.add(
                 "circular_thickness",
-                f"neighbouring teeth meet above the root; less than {max(limit, 0.0):.4g} {unit}, half the pitch is usual",
+                refusals.meeting_teeth(limit, unit),
             )
         if tooth.thickness <= 0.0:
-            problems.add("backlash", f"leaves no tooth; less than {2.0 * self._nominal_thickness:.4g} {unit}")
+            problems.add("backlash", refusals.no_tooth_left(2.0 * self._nominal_thickness, unit))
 
     @cached_property
     def outer_module(self) -> float:
@@ -215,7 +217,9 @@ class BevelGear(Element):
         """Sizes of this gear alone, at its outer end unless they say otherwise."""
         length, angle = self._length_sizes(), self._angle_sizes()
         return {
-            **{name: Size(float(value), "length", symbol, meaning) for name, (value, symbol, meaning) in length.items()},
+            **{
+                name: Size(float(value), "length", symbol, meaning) for name, (value, symbol, meaning) in length.items()
+            },
             **{
                 name: Size(float(np.degrees(value)), "angle", symbol, meaning)
                 for name, (value, symbol, meaning) in angle.items()
@@ -252,14 +256,6 @@ class BevelGear(Element):
 def pitch_cone_angle(teeth: int, mate_teeth: int, shaft_angle: float) -> float:
     """δ = atan2(sin Σ, z₂/z₁ + cos Σ), radians, of the member with z₁ teeth. Source: ISO 23509, 6.2."""
     return float(np.arctan2(np.sin(shaft_angle), mate_teeth / teeth + np.cos(shaft_angle)))
-
-
-def internal_bevel(angle: float) -> str:
-    """Why a pitch angle beyond 90° is refused."""
-    return (
-        f"makes a pitch cone of {np.degrees(angle):.4g}°, an internal bevel gear, which no cutter makes; "
-        "take a smaller shaft angle, or teeth numbers closer to each other"
-    )
 
 
 def _collar(bore_radius: float, hub_angle: float, inner: float, outer: float) -> Swept:

@@ -10,7 +10,8 @@ import numpy as np
 from ..arrays import Array
 from ..parameters import Problems, Size, declared, member_value
 from . import declarations as d
-from .bevel_gear import BevelGear, internal_bevel, pitch_cone_angle
+from . import refusals
+from .bevel_gear import BevelGear, pitch_cone_angle
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_one_pitch
 
@@ -34,7 +35,9 @@ class BevelPair:
     whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None)
     gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None)
     pressure_angle: float = declared(d.PRESSURE_ANGLE, default=20.0)
-    circular_thickness: float | tuple[float, float] | None = declared(d.CIRCULAR_THICKNESS, default=None, members="both")
+    circular_thickness: float | tuple[float, float] | None = declared(
+        d.CIRCULAR_THICKNESS, default=None, members="both"
+    )
     backlash: float = declared(d.BACKLASH, default=0.0)
     bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
     trace: str = declared(d.TRACE, default="straight")
@@ -48,9 +51,10 @@ class BevelPair:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if self.trace == "straight" and self.spiral_angle:
-            problems.add("spiral_angle", 'a straight trace has none; choose trace "logarithmic", or leave it out')
+            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
         if problems.computable() and self._check_cones(problems) and self._check_depths(problems):
-            problems.add_members({"pinion": lambda: self.pinion, "gear": lambda: self.gear})
+            members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
+            problems.add_members(members, settled=("mate_teeth",))
         if problems.sound():
             self._check_engagement(problems)
         problems.raise_any()
@@ -58,7 +62,7 @@ class BevelPair:
     def _check_cones(self, problems: Problems) -> bool:
         steepest = max(self._pitch_cone_angles)
         if steepest > np.pi / 2.0 + 1e-12:
-            problems.add("shaft_angle", internal_bevel(steepest))
+            problems.add("shaft_angle", refusals.internal_bevel(steepest))
             return False
         return True
 
@@ -85,8 +89,8 @@ class BevelPair:
                 most = member.cone_distance * np.tan(limit - member.pitch_cone_angle)
                 problems.add(
                     "gear_addendum" if name == "gear" else "working_depth",
-                    f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, would meet "
-                    f"its mate below the base cone; at most {most:.4g} {unit} there "
+                    f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, "
+                    f"would meet its mate below the base cone; at most {most:.4g} {unit} there "
                     "(more teeth or a larger pressure angle allow more)",
                 )
         pitch = np.pi * self.pinion.outer_module
@@ -164,9 +168,7 @@ class BevelPair:
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""
         pinion, gear = self.pinion, self.gear
-        limits = [
-            float(np.degrees(interference_limit(a.tooth, b.tooth))) for a, b in ((pinion, gear), (gear, pinion))
-        ]
+        limits = [float(np.degrees(interference_limit(a.tooth, b.tooth))) for a, b in ((pinion, gear), (gear, pinion))]
         return {
             "shaft_angle": Size(self.shaft_angle, "angle", "Σ", "angle between the axes"),
             "gear_ratio": Size(self.teeth[1] / self.teeth[0], "", "u", "teeth of the gear over teeth of the pinion"),

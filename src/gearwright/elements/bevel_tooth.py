@@ -99,4 +99,3 @@ class BevelTooth:
             foot = -self.thickness_at(self.base_cone_angle) / 2.0
             flank.insert(0, Meridian(azimuth=foot, interval=(self.root_angle, self.base_cone_angle)))
         return flank
-

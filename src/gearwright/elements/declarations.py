@@ -24,7 +24,10 @@ CIRCULAR_THICKNESS = Parameter(
     above=0,
 )
 BACKLASH = Parameter(
-    meaning="circular backlash on the (outer) pitch circle, half from each member", unit="length", symbol="j_t", minimum=0
+    meaning="circular backlash on the (outer) pitch circle, half from each member",
+    unit="length",
+    symbol="j_t",
+    minimum=0,
 )
 BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_b", above=0)
 TRACE = Parameter(meaning="tooth trace along the face", kind="choice", choices=("straight", "logarithmic"))

@@ -10,6 +10,7 @@ from ..parameters import MILLIMETRES, Problems, Size
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.solid import Solid
+from . import refusals
 
 
 class Element(ABC):
@@ -50,4 +51,4 @@ def module_in(length_unit: str, module: float | None, diametral_pitch: float | N
 def require_one_pitch(problems: Problems, module: float | None, diametral_pitch: float | None) -> None:
     """Adds a problem unless exactly one of module and diametral pitch is given."""
     if (module is None) == (diametral_pitch is None):
-        problems.add("module", "give either the module (mm) or the diametral pitch (per inch), not both and not neither")
+        problems.add("module", refusals.ONE_PITCH)

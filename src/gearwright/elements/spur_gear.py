@@ -13,6 +13,7 @@ from ..parameters import Problems, Size, declared
 from ..solids.solid import Solid
 from ..solids.swept import Swept
 from . import declarations as d
+from . import refusals
 from .element import Element, module_in, require_one_pitch
 from .spur_tooth import SpurTooth
 
@@ -52,31 +53,30 @@ class SpurGear(Element):
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
         if self.root_radius <= 0.0:
-            problems.add("dedendum", f"the root circle vanishes; less than the pitch radius, {self.pitch_radius:.4g} {unit}")
-        elif self.bore is not None and self.bore >= 2.0 * self.root_radius:
             problems.add(
-                "bore", f"cuts into the tooth roots; less than the root diameter, {2.0 * self.root_radius:.4g} {unit}"
+                "dedendum", f"the root circle vanishes; less than the pitch radius, {self.pitch_radius:.4g} {unit}"
             )
+        elif self.bore is not None and self.bore >= 2.0 * self.root_radius:
+            problems.add("bore", refusals.bore_in_roots(2.0 * self.root_radius, unit))
         if self.nominal_thickness <= self.backlash / 2.0:
-            problems.add("backlash", f"leaves no tooth; less than {2.0 * self.nominal_thickness:.4g} {unit}")
+            problems.add("backlash", refusals.no_tooth_left(2.0 * self.nominal_thickness, unit))
 
     def _check_tooth(self, problems: Problems) -> None:
         tooth, unit = self.tooth, self.length_unit
         if tooth.flank_start >= tooth.pitch_radius:
-            problems.add("dedendum", "leaves no involute below the pitch circle; a larger one does")
+            problems.add("dedendum", refusals.no_involute("circle"))
             return
         if tooth.tip_radius >= tooth.pointed_radius:
             limit = tooth.pointed_radius - self.pitch_radius
             problems.add(
                 "addendum",
-                f"the tooth comes to a point inside the tip circle; less than {limit:.4g} {unit} "
-                "(a smaller pressure angle or a thicker tooth allows more)",
+                refusals.pointed_tooth(limit, unit),
             )
         if tooth.root_space <= 0.0:
             limit = self.thickness + tooth.root_space * self.pitch_radius
             problems.add(
                 "circular_thickness",
-                f"neighbouring teeth meet above the root; less than {max(limit, 0.0):.4g} {unit}, half the pitch is usual",
+                refusals.meeting_teeth(limit, unit),
             )
 
     @cached_property

@@ -24,7 +24,8 @@ class SpurTooth:
     tip_radius, root_radius        of the tip and root arcs
     thickness                      angular thickness at the pitch circle, radians
 
-    Below the base circle the flank carries on as a radius (root="radial"). Source: ISO 21771; Al-Daccak 1989, ch. 4.5.2.
+    Below the base circle the flank carries on as a radius (root="radial").
+    Source: ISO 21771; Al-Daccak 1989, ch. 4.5.2.
     """
 
     teeth: int

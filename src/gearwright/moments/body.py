@@ -35,7 +35,7 @@ class BodyMoments:
 
     @property
     def centroid(self) -> Array:
-        return np.asarray(self.origin + self.matrix[0, 1:] / self.matrix[0, 0])
+        return self.origin + self.matrix[0, 1:] / self.matrix[0, 0]
 
     @property
     def central_second(self) -> Array:
@@ -53,4 +53,6 @@ def about_centroid(matrix: Array, method: Method, error: float, origin: Array | 
     centred = shifted(matrix, -centroid)
     loss = np.linalg.norm(matrix[1:, 1:]) / np.linalg.norm(centred[1:, 1:])
     start = np.zeros(3) if origin is None else origin
-    return BodyMoments(origin=start + centroid, matrix=centred, method=method, error_bound=error * max(1.0, float(loss)))
+    return BodyMoments(
+        origin=start + centroid, matrix=centred, method=method, error_bound=error * max(1.0, float(loss))
+    )

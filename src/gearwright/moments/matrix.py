@@ -40,7 +40,7 @@ def transformed(matrix: Array, linear: ArrayLike, translation: ArrayLike = 0.0) 
     """Moments of the body mapped by r → A r + t, A (d, d): eq. (M1), with |det A|."""
     map_ = affine(linear, translation)
     scale = np.abs(np.linalg.det(np.asarray(linear, float)))
-    return np.asarray(scale * (map_ @ matrix @ np.swapaxes(map_, -1, -2)))
+    return scale * (map_ @ matrix @ np.swapaxes(map_, -1, -2))
 
 
 def shifted(matrix: Array, translation: ArrayLike) -> Array:
@@ -73,10 +73,10 @@ def central_second(matrix: Array) -> Array:
     Take the matrix about a point near the centroid, or this difference loses digits.
     """
     volume, first = matrix[..., 0, 0], matrix[..., 1:, 0]
-    return np.asarray(matrix[..., 1:, 1:] - first[..., :, None] * first[..., None, :] / volume[..., None, None])
+    return matrix[..., 1:, 1:] - first[..., :, None] * first[..., None, :] / volume[..., None, None]
 
 
 def inertia_tensor(second: ArrayLike) -> Array:
     """I = tr(S) 1 − S (3, 3): the off-diagonals are minus the products ∫xy, ∫yz, ∫zx."""
     second = np.asarray(second, float)
-    return np.asarray(np.trace(second) * np.eye(3) - second)
+    return np.trace(second) * np.eye(3) - second

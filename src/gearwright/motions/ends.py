@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -56,12 +57,12 @@ class Ends:
 
     def span(self, point: Array) -> Array:
         """dv/dt (...)."""
-        return np.asarray(self.finish.value(point) - self.start.value(point))
+        return self.finish.value(point) - self.start.value(point)
 
     def spans(self, breaks: Sequence[float]) -> tuple[Ends, ...]:
         """The ends of each smooth span, cut at a motion's breaks."""
         stations = (self.start, *(ConstantEnd(parameter=b) for b in breaks), self.finish)
-        return tuple(Ends(start=a, finish=b) for a, b in zip(stations[:-1], stations[1:], strict=True))
+        return tuple(Ends(start=a, finish=b) for a, b in pairwise(stations))
 
     @property
     def constants(self) -> tuple[float, float] | None:

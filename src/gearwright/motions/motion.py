@@ -63,4 +63,3 @@ class Motion(ABC):
     def closed(self, ends: Ends) -> bool:
         del ends
         return False
-

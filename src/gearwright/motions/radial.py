@@ -38,7 +38,7 @@ class Radial(Motion):
         v = np.asarray(v, float)
         turned = self._turned(point, v)
         across = np.stack([-turned[..., 1], turned[..., 0], np.zeros_like(turned[..., 0])], axis=-1)
-        return np.asarray(turned + across * (v * self.trace.slope(v))[..., None])
+        return turned + across * (v * self.trace.slope(v))[..., None]
 
     def _turned(self, point: Array, v: Array) -> Array:
         w = self.trace.turn(v)
@@ -47,7 +47,7 @@ class Radial(Motion):
         return np.stack([c * x - s * y, s * x + c * y, z + np.zeros_like(w)], axis=-1)
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
-        return np.asarray(np.asarray(v, float) ** 2 + np.zeros(point.shape[:-1]))
+        return np.asarray(v, float) ** 2 + np.zeros(point.shape[:-1])
 
     def end_surface(self, end: End) -> Surface:
         if not isinstance(end, ConstantEnd):

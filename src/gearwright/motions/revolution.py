@@ -41,7 +41,7 @@ class Revolution(Motion):
         return np.stack([-x * np.sin(v), -x * np.cos(v), np.zeros_like(x * np.asarray(v))], axis=-1)
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
-        return np.asarray(point[..., 0] + np.zeros(np.shape(v)))
+        return point[..., 0] + np.zeros(np.shape(v))
 
     def end_surface(self, end: End) -> Surface:
         if not isinstance(end, ConstantEnd):

@@ -50,7 +50,7 @@ class Loop:
         size = float(np.max(np.abs(starts))) or 1.0
         return [
             Problem(
-                f"gap of {gap:.3g} after curve {i + 1} of {len(self.curves)} at {np.array2string(ends[i], precision=6)}",
+                f"gap of {gap:.3g} after curve {i + 1} of {len(self.curves)} at {np.round(ends[i], 6)}",
                 f"at most {CLOSURE * size:.3g} is taken as closed; let each curve start where the one before it ends",
             )
             for i, gap in enumerate(gaps)
@@ -76,4 +76,5 @@ class Loop:
     def at(self, v: float) -> Loop:
         """The loop at the motion's parameter v; a constant one is itself."""
         curves = tuple(curve.at(v) for curve in self.curves)
-        return self if all(a is b for a, b in zip(curves, self.curves, strict=True)) else Loop(curves=curves, copies=self.copies)
+        constant = all(a is b for a, b in zip(curves, self.curves, strict=True))
+        return self if constant else Loop(curves=curves, copies=self.copies)

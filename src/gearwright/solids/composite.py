@@ -9,7 +9,7 @@ import numpy as np
 
 from ..boundary.boundary import Boundary
 from ..boundary.gluing import Joint, glued
-from ..moments.body import BodyMoments, about_centroid
+from ..moments.body import BodyMoments, Method, about_centroid
 from ..moments.matrix import shifted
 from .solid import Solid
 
@@ -30,6 +30,5 @@ class Composite(Solid):
         parts = [piece.moments for piece in self.pieces]
         origin = parts[0].origin
         matrix = np.sum([shifted(part.matrix, part.origin - origin) for part in parts], axis=0)
-        methods = {part.method for part in parts}
-        method = "exact" if methods == {"exact"} else "quadrature"
+        method: Method = "exact" if all(part.method == "exact" for part in parts) else "quadrature"
         return about_centroid(matrix, method, max(part.error_bound for part in parts), origin)

@@ -26,10 +26,10 @@ class Plane(Surface):
         return np.array([self.x_axis, self.y_axis])
 
     def chart(self, points: Array) -> Array:
-        return np.asarray((points - np.array(self.origin)) @ self._axes.T)
+        return (points - np.array(self.origin)) @ self._axes.T
 
     def point(self, chart: Array) -> Array:
-        return np.asarray(np.array(self.origin) + chart @ self._axes)
+        return np.array(self.origin) + chart @ self._axes
 
     def deviation(self, points: Array) -> Array:
         normal = np.cross(self.x_axis, self.y_axis)

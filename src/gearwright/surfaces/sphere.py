@@ -22,23 +22,23 @@ class Sphere(Surface):
     radius: float
 
     def chart(self, points: Array) -> Array:
-        return np.asarray(points[..., :2] / (self.radius + points[..., 2:]))
+        return points[..., :2] / (self.radius + points[..., 2:])
 
     def point(self, chart: Array) -> Array:
         square = np.sum(chart * chart, axis=-1, keepdims=True)
-        return np.asarray(self.radius * np.concatenate([2.0 * chart, 1.0 - square], axis=-1) / (1.0 + square))
+        return self.radius * np.concatenate([2.0 * chart, 1.0 - square], axis=-1) / (1.0 + square)
 
     def deviation(self, points: Array) -> Array:
         return np.abs(np.linalg.norm(points, axis=-1) - self.radius)
 
     def spacing(self, tolerance: float, chart: Array) -> Array:
         step = np.sqrt(4.0 * self.radius * tolerance)  # the sagitta of a circle of half a square's diagonal
-        return np.asarray(step * (1.0 + np.sum(chart * chart, axis=-1)) / (2.0 * self.radius))
+        return step * (1.0 + np.sum(chart * chart, axis=-1)) / (2.0 * self.radius)
 
     def flux(self, points: Array, tangents: Array) -> Array:
         region = _polar_integrals(points / self.radius, tangents / self.radius)
         scale = np.diag([1.0, self.radius, self.radius, self.radius])
-        return np.asarray(self.radius**3 * BY_ORDER * (scale @ region @ scale))
+        return self.radius**3 * BY_ORDER * (scale @ region @ scale)
 
 
 def _polar_integrals(n: Array, dn: Array) -> Array:

@@ -1,0 +1,44 @@
+"""Why parameters that have no gear are refused, in words that several elements share."""
+
+from __future__ import annotations
+
+import numpy as np
+
+ONE_PITCH = "give either the module (mm) or the diametral pitch (per inch), not both and not neither"
+STRAIGHT_WITH_ANGLE = 'a straight trace has none; choose trace "logarithmic", or leave it out'
+
+
+def pointed_tooth(limit: float, unit: str) -> str:
+    """The addendum at which the flanks meet is exceeded."""
+    return (
+        f"the tooth comes to a point before its tip; less than {limit:.4g} {unit} "
+        "(a smaller pressure angle or a thicker tooth allows more)"
+    )
+
+
+def meeting_teeth(limit: float, unit: str) -> str:
+    """The thickness at which neighbouring flanks meet is exceeded."""
+    return f"neighbouring teeth meet above the root; less than {max(limit, 0.0):.4g} {unit}, usually half the pitch"
+
+
+def no_tooth_left(limit: float, unit: str) -> str:
+    """Backlash takes the whole tooth."""
+    return f"leaves no tooth; less than {limit:.4g} {unit}"
+
+
+def bore_in_roots(limit: float, unit: str) -> str:
+    """The bore reaches the root diameter."""
+    return f"cuts into the tooth roots; less than the root diameter (at the small end), {limit:.4g} {unit}"
+
+
+def no_involute(what: str) -> str:
+    """The involute would begin above the pitch line."""
+    return f"leaves no involute below the pitch {what}; a larger one does"
+
+
+def internal_bevel(angle: float) -> str:
+    """A pitch angle (radians) beyond 90°."""
+    return (
+        f"makes a pitch cone of {np.degrees(angle):.4g}°, an internal bevel gear, which no cutter makes; "
+        "take a smaller shaft angle, or teeth numbers closer to each other"
+    )

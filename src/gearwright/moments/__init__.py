@@ -1,0 +1,1 @@
+"""Moments: pure functions on arrays, from polygons, boundaries, polyhedra and sweeps."""
