@@ -72,8 +72,9 @@ def central_second(matrix: Array) -> Array:
 
     Take the matrix about a point near the centroid, or this difference loses digits.
     """
-    volume, first = matrix[..., 0, 0], matrix[..., 1:, 0]
-    return matrix[..., 1:, 1:] - first[..., :, None] * first[..., None, :] / volume[..., None, None]
+    first = matrix[..., 1:, 0]
+    centroid = first / matrix[..., 0, 0, None]
+    return matrix[..., 1:, 1:] - first[..., :, None] * centroid[..., None, :]
 
 
 def inertia_tensor(second: ArrayLike) -> Array:

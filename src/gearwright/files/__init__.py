@@ -1,0 +1,1 @@
+"""Files: arrays and boundaries out, arrays in."""

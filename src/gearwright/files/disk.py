@@ -1,0 +1,81 @@
+"""Reading a whole file and writing one whole or not at all, with errors that say whose fault it is."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from ..errors import FileError, MachineError
+
+_PATH_ERRORS = (FileNotFoundError, FileExistsError, IsADirectoryError, NotADirectoryError, ValueError)
+"""What another file name mends; ValueError is a name with a null character."""
+
+
+def contents(path: str | Path) -> bytes:
+    """All bytes of a regular file.
+
+    Raises FileError if there is no such file or it is a folder or device; MachineError if it cannot be read.
+    """
+    try:
+        mode = Path(path).stat().st_mode
+        if stat.S_ISDIR(mode):
+            raise FileError(f"{path}: this is a folder; the name of a file is needed")
+        if not stat.S_ISREG(mode):
+            raise FileError(f"{path}: this is a device or pipe; copy what it gives into a file first")
+        return Path(path).read_bytes()
+    except FileNotFoundError:
+        raise FileError(f"{path}: there is no such file; check the name and the folder") from None
+    except _PATH_ERRORS as error:
+        raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None
+    except OSError as error:
+        raise MachineError(f"{path}: cannot be read ({_reason(error)}); check its permissions and the disk") from error
+
+
+@contextmanager
+def written_whole(path: str | Path) -> Iterator[BinaryIO]:
+    """A stream whose bytes become the file when the block ends; on any error an old file stays as it was.
+
+    They go to a temporary name in the same folder, which is renamed at the end. A link is followed.
+    Raises FileError if there is no such folder or the name is not a file's; MachineError if the disk
+    or the permissions do not allow it.
+    """
+    try:
+        target = Path(os.path.realpath(path))
+        if target.exists() and not target.is_file():
+            raise FileError(f"{path}: this is a folder or device; the name of a file is needed")
+        temporary = target.with_name(f".{target.name[:100]}.{secrets.token_hex(8)}.part")
+        with _removed_on_error(temporary):
+            with temporary.open("xb") as stream:
+                yield stream
+                stream.flush()
+                os.fsync(stream.fileno())
+            if target.exists():
+                temporary.chmod(stat.S_IMODE(target.stat().st_mode))
+            temporary.replace(target)
+    except FileNotFoundError:
+        raise FileError(f"{path}: there is no folder {Path(path).parent}; make it first") from None
+    except _PATH_ERRORS as error:
+        raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None
+    except OSError as error:
+        raise MachineError(
+            f"{path}: cannot be written ({_reason(error)}); nothing was changed; check permissions and free space"
+        ) from error
+
+
+@contextmanager
+def _removed_on_error(temporary: Path) -> Iterator[None]:
+    try:
+        yield
+    except BaseException:
+        with suppress(OSError):
+            temporary.unlink()
+        raise
+
+
+def _reason(error: Exception) -> str:
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)

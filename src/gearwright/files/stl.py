@@ -1,0 +1,140 @@
+"""STL files: binary and text in, binary out.
+
+An STL file is a list of triangles with no shared vertices, no length unit and, in its binary form,
+single precision: about seven digits of the distance from the origin.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arrays import Array, Indices
+from ..errors import FileError
+from ..moments.faces import triangle_vectors
+from . import disk
+from .stl_text import looks_like_text, parse_text
+from .welding import Points, welded
+
+_HEADER = 80
+_START = _HEADER + 4
+_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_MOST = 2**32 - 1
+_BLOCK = 1 << 18
+
+_NOUGHT = 2.0**-46
+"""A coordinate this small relative to the largest one is a rounding error of 0 in the program that wrote it.
+
+Single precision is fine enough to tell such errors apart only next to 0, where they tear holes: a corner
+written once with 0, once with −2.7e-16. Anywhere else it has rounded them away.
+"""
+
+_COARSEST = 1e-4
+"""Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
+
+
+def read(path: str | Path) -> tuple[Array, Indices]:
+    """Vertices (n, 3), those with equal coordinates joined, and triangles (m, 3) of an STL file.
+
+    Coordinates are taken as they stand, but those within 2⁻⁴⁶ × the largest of 0 are 0. The stored
+    normals are ignored: the order of the corners says which side is out.
+    Raises FileError if the file is not a whole STL file of finite coordinates; MachineError if the
+    disk does not give it.
+    """
+    data = disk.contents(path)
+    corners = _parse(str(path), data).reshape(-1, 3)
+    if not len(corners):
+        raise FileError(f"{path}: an STL file without triangles; nothing was exported, or only empty bodies")
+    size = np.abs(corners)
+    largest = size.max()
+    if not np.isfinite(largest):
+        _refuse_not_finite(path, corners)
+    corners[size <= _NOUGHT * largest] = 0.0
+    vertices, numbers = welded(corners)
+    return vertices, numbers.reshape(-1, 3)
+
+
+def _refuse_not_finite(path: str | Path, corners: Points) -> None:
+    bad = np.unique(np.flatnonzero(~np.isfinite(corners).all(axis=1)) // 3)
+    raise FileError(
+        f"{path}: {len(bad)} of {len(corners) // 3} triangles have coordinates that are not finite, the first is"
+        f" triangle {bad[0]}: {corners[3 * bad[0] : 3 * bad[0] + 3].tolist()}; write the file again from the program"
+        " that made it"
+    )
+
+
+def _parse(path: str, data: bytes) -> Points:
+    """Corners (m, 3, 3) of binary or text data: binary where the length is exactly what its count asks for."""
+    if not data:
+        raise FileError(f"{path}: the file is empty; an STL file was expected; write it again")
+    count = int.from_bytes(data[_HEADER:_START], "little") if len(data) >= _START else 0
+    if len(data) < _START or len(data) != _START + count * _RECORD.itemsize:
+        if looks_like_text(data):
+            return parse_text(path, data)
+        _refuse_length(path, len(data), count)
+    records = np.frombuffer(data, dtype=_RECORD, offset=_START, count=count)
+    return records["corners"].copy()
+
+
+def _refuse_length(path: str, size: int, count: int) -> None:
+    if size < _START:
+        raise FileError(
+            f"{path}: {size} bytes that are no STL file; a binary one has at least {_START}, a text one begins with"
+            ' "solid"'
+        )
+    whole, rest = divmod(size - _START, _RECORD.itemsize)
+    needed = _START + count * _RECORD.itemsize
+    cause = "the file is cut off, or it is no STL file" if size < needed else "the count is wrong, or it is no STL file"
+    raise FileError(
+        f"{path}: not a whole STL file: its header announces {count} triangles, which take {needed} bytes, but it has"
+        f" {size}, room for {whole} triangles{f' and {rest} bytes' if rest else ''}; {cause}; write or copy it again"
+    )
+
+
+def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit: str = "mm") -> None:
+    """Writes triangles (m, 3) over vertices (n, 3) as a binary STL file, whole or not at all.
+
+    Corners are rounded to single precision, equal vertices equally, so a closed boundary stays closed.
+    Normals are those of the rounded corners, 0 where these have no area.
+    Raises FileError if single precision cannot hold the body or the name is not a file's;
+    MachineError if the disk does not take it.
+    """
+    single = _single_precision(str(path), vertices, triangles)
+    with disk.written_whole(path) as stream:
+        stream.write(
+            f"Gearwright binary STL, lengths in {length_unit}".encode("ascii", "replace")[:_HEADER].ljust(_HEADER)
+        )
+        stream.write(len(triangles).to_bytes(4, "little"))
+        for start in range(0, len(triangles), _BLOCK):
+            stream.write(_records(single, triangles[start : start + _BLOCK]).data)
+
+
+def _single_precision(path: str, vertices: Array, triangles: Indices) -> Array:
+    """The vertices rounded to single precision, still as float64."""
+    if len(triangles) > _MOST:
+        raise FileError(
+            f"{path}: {len(triangles)} triangles; an STL file holds at most {_MOST}; use a coarser tolerance"
+        )
+    if not len(vertices):
+        return vertices
+    with np.errstate(over="ignore"):
+        single = vertices.astype(np.float32).astype(np.float64)
+    error = float(np.abs(single - vertices).max())
+    diagonal = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
+    if not error <= _COARSEST * diagonal:
+        raise FileError(
+            f"{path}: single precision, all that STL has, would move points by {error:.3g}, and the body measures"
+            f" {diagonal:.3g}; move it to the origin, or use a length unit that suits it"
+        )
+    return single
+
+
+def _records(vertices: Array, triangles: Indices) -> NDArray[np.void]:
+    records = np.zeros(len(triangles), dtype=_RECORD)
+    normals = triangle_vectors(vertices, triangles)
+    lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
+    records["normal"] = normals / np.where(lengths > 0.0, lengths, 1.0)
+    records["corners"] = vertices[triangles]
+    return records

@@ -1,0 +1,113 @@
+"""Polygon faces of a polyhedron: fans of triangles, area vectors, planarity.
+
+Faces of any sizes are kept in two arrays: `indices` (c,) holds the vertex of every corner, face after
+face; face f owns corners offsets[f] to offsets[f + 1] − 1, `offsets` (f + 1,). At least 3 corners a face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike, Indices
+
+
+def corner_lists(faces: ArrayLike | Sequence[ArrayLike]) -> tuple[Indices, Indices]:
+    """`indices` and `offsets` of faces given as integers (m, k) or as sequences of any lengths.
+
+    Raises ValueError if a face holds anything but integers.
+    """
+    if isinstance(faces, np.ndarray) and faces.ndim == 2:
+        _require_integers(faces)
+        count, corners = faces.shape
+        return np.ascontiguousarray(faces, np.int64).reshape(-1), np.arange(count + 1, dtype=np.int64) * corners
+    rows = [np.asarray(face) for face in faces]  # type: ignore[union-attr]
+    sizes = [row.size for row in rows]
+    offsets = np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]).astype(np.int64)
+    for row in rows:
+        _require_integers(row)
+    return np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64), offsets
+
+
+def _require_integers(faces: Array | Indices) -> None:
+    if faces.size and faces.dtype.kind not in "iu":
+        raise ValueError(f"faces are lists of vertex numbers, whole numbers from 0, not {faces.dtype}")
+
+
+def fan_triangles(indices: Indices, offsets: Indices) -> Indices:
+    """Signed fan of every face from its first corner, (t, 3), face after face.
+
+    Exact for integrals over any planar face, convex or not: where a triangle leaves the face, others
+    of the opposite sense cancel it. As a picture only convex faces come out right.
+    """
+    corners = np.diff(offsets)
+    if np.all(corners == 3):
+        return indices.reshape(-1, 3)
+    first = np.repeat(offsets[:-1], corners - 2)
+    before = np.cumsum(corners - 2) - (corners - 2)
+    second = first + 1 + np.arange(len(first)) - np.repeat(before, corners - 2)
+    return np.stack([indices[first], indices[second], indices[second + 1]], axis=-1)
+
+
+def next_corners(indices: Indices, offsets: Indices) -> Indices:
+    """For every corner (c,) the vertex of the corner after it in its face."""
+    following = np.empty_like(indices)
+    following[:-1] = indices[1:]
+    following[offsets[1:] - 1] = indices[offsets[:-1]]
+    return following
+
+
+def triangle_vectors(vertices: Array, triangles: Indices) -> Array:
+    """Area vectors (t, 3) of triangles (t, 3): normal to them, as long as their area."""
+    a = vertices[triangles[:, 0]]
+    ab = vertices[triangles[:, 1]] - a
+    ac = vertices[triangles[:, 2]] - a
+    result = np.empty_like(a)
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        result[:, k] = 0.5 * (ab[:, i] * ac[:, j] - ab[:, j] * ac[:, i])
+    return result
+
+
+def face_vectors(vertices: Array, indices: Indices, offsets: Indices) -> Array:
+    """Area vectors (f, 3) of faces: normal to the mean plane, as long as the area there."""
+    vectors = triangle_vectors(vertices, fan_triangles(indices, offsets))
+    corners = np.diff(offsets)
+    if np.all(corners == 3):
+        return vectors
+    return np.asarray(np.add.reduceat(vectors, np.cumsum(corners - 2) - (corners - 2), axis=0))
+
+
+def planarity(vertices: Array, indices: Indices, offsets: Indices) -> Array:
+    """Largest distance of each face's corners from its mean plane (f,), in diagonals of the bounding box.
+
+    The mean plane goes through the mean of the corners, normal to the face's area vector; where that
+    vanishes, along the corners' two greatest extents. Triangles give 0.
+    """
+    corners = np.diff(offsets)
+    result = np.zeros(len(corners))
+    chosen = np.flatnonzero(corners > 3)
+    if not len(chosen):
+        return result
+    face = np.repeat(np.arange(len(corners)), corners)
+    points = vertices[indices]
+    means = np.add.reduceat(points - vertices[indices[offsets[:-1]]][face], offsets[:-1], axis=0) / corners[:, None]
+    local = points - (vertices[indices[offsets[:-1]]] + means)[face]
+    distances = np.abs(np.einsum("ij,ij->i", local, _normals(vertices, indices, offsets, local)[face]))
+    diagonal = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
+    result[chosen] = np.maximum.reduceat(distances, offsets[:-1])[chosen]
+    return result / diagonal if diagonal else result
+
+
+def _normals(vertices: Array, indices: Indices, offsets: Indices, local: Array) -> Array:
+    """Unit normals (f, 3) of the mean planes."""
+    vectors = face_vectors(vertices, indices, offsets)
+    lengths = np.linalg.norm(vectors, axis=-1)
+    extent = np.maximum.reduceat(np.abs(local).max(axis=-1), offsets[:-1])
+    # below this the direction of the area vector is rounding error
+    vanishing = lengths <= 1e-13 * extent**2
+    normals = vectors / np.where(vanishing, 1.0, lengths)[:, None]
+    for f in np.flatnonzero(vanishing & (np.diff(offsets) > 3)):
+        normals[f] = np.linalg.svd(local[offsets[f] : offsets[f + 1]])[2][-1]
+    return normals

@@ -1,0 +1,225 @@
+"""Polyhedra: bodies bounded by any planar polygons."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike, Indices
+from ..errors import FileError, GeometryError, Problem
+from ..files import stl
+from ..moments.faces import corner_lists, face_vectors, fan_triangles, triangle_vectors
+from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
+from .properties import MassProperties
+from .validity import PolyhedronValidity, examine
+
+_SUFFIXES = (".stl",)
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class Polyhedron:
+    """A body bounded by polygon faces that share vertices by number.
+
+    vertices  (n, 3), read-only
+    indices   (c,) vertex of every corner, face after face, read-only
+    offsets   (f + 1,) face f owns corners offsets[f] to offsets[f + 1] − 1, read-only
+
+    Faces may be any planar polygons, convex or not, of mixed sizes; counter-clockwise seen from outside.
+    """
+
+    vertices: Array
+    indices: Indices
+    offsets: Indices
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike | Sequence[ArrayLike]):
+        """From vertices (n, 3) and faces: integers (m, k), or lists of vertex numbers of any lengths.
+
+        Raises GeometryError, all problems together, if coordinates are not finite, a vertex number is out
+        of range, a face has fewer than 3 corners or an array is not of that shape. Whether the faces
+        close is the question of `validity` and `properties`.
+        """
+        problems: list[Problem] = []
+        points = _points(vertices, problems)
+        indices, offsets = _corners(faces, len(points), problems)
+        if problems:
+            raise GeometryError("This is not a polyhedron", problems)
+        for name, array in (("vertices", points), ("indices", indices), ("offsets", offsets)):
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Polyhedron:
+        """From a file in the format of its suffix (.stl), vertices with equal coordinates joined.
+
+        Raises FileError, MachineError.
+        """
+        _require_format(path, "read")
+        return cls(*stl.read(path))
+
+    def save(self, path: str | Path, *, length_unit: str = "mm") -> None:
+        """Writes a file in the format of its suffix (.stl), whole or not at all.
+
+        Raises FileError, MachineError; GeometryError if a face cannot be cut into triangles here.
+        """
+        _require_format(path, "written")
+        stl.write(path, self.vertices, self._simple_triangles(), length_unit=length_unit)
+
+    @property
+    def faces(self) -> Indices | tuple[Indices, ...]:
+        """Vertex numbers of the faces: (m, k) where all have k corners, else one array a face."""
+        sizes = np.diff(self.offsets)
+        if len(sizes) and np.all(sizes == sizes[0]):
+            return self.indices.reshape(len(sizes), sizes[0])
+        return tuple(np.split(self.indices, self.offsets[1:-1])) if len(sizes) else ()
+
+    def triangles(self) -> Indices:
+        """Signed fans of the faces (t, 3): for integrals; they overlap where a face is not convex."""
+        return fan_triangles(self.indices, self.offsets)
+
+    def validity(self) -> PolyhedronValidity:
+        """Report on holes, flipped faces, inward bodies and the like."""
+        return self._validity
+
+    @cached_property
+    def _validity(self) -> PolyhedronValidity:
+        return examine(self.vertices, self.indices, self.offsets)
+
+    @cached_property
+    def _moments(self) -> PolyhedronMoments:
+        return polyhedron_moments(self.vertices, self.indices, self.offsets)
+
+    def properties(self, density: float = 1.0) -> MassProperties:
+        """Volume, centroid and inertia; density in mass per cubed length unit.
+
+        Raises GeometryError, saying what and where, if the faces do not bound a solid.
+        """
+        if len(self.offsets) == 1:
+            raise GeometryError("This polyhedron does not bound a solid", [Problem("0 faces", "at least 4 are needed")])
+        self.validity().raise_any()
+        moments = self._moments
+        if not moments.body.volume > 0.0:
+            raise GeometryError(
+                "This polyhedron does not bound a solid",
+                [
+                    Problem(
+                        f"volume {moments.body.volume:.6g}", "must be positive; its faces lie in one plane or cancel"
+                    )
+                ],
+            )
+        return MassProperties.from_moments(
+            moments.body, density=density, area=moments.area, bounding_box=moments.bounding_box
+        )
+
+    def transformed(self, matrix: ArrayLike) -> Polyhedron:
+        """The body mapped by a homogeneous matrix (4, 4), r → A r + t; mirrored faces are turned again.
+
+        Raises GeometryError if the matrix is not of that form or flattens the body.
+        """
+        map_ = _affine_map(matrix)
+        points = self.vertices @ map_[:3, :3].T + map_[:3, 3]
+        if np.linalg.det(map_[:3, :3]) > 0.0:
+            return Polyhedron(points, self.faces)
+        faces = self.faces
+        return Polyhedron(points, faces[:, ::-1] if isinstance(faces, np.ndarray) else [face[::-1] for face in faces])
+
+    def _simple_triangles(self) -> Indices:
+        """Triangles (t, 3) that do not overlap: fans, each from a corner that sees its whole face."""
+        sizes = np.diff(self.offsets)
+        triangles = self.triangles()
+        if np.all(sizes == 3):
+            return triangles
+        normals = face_vectors(self.vertices, self.indices, self.offsets)
+        owners = np.repeat(np.arange(len(sizes)), sizes - 2)
+        inverted = np.einsum("ij,ij->i", triangle_vectors(self.vertices, triangles), normals[owners]) < 0.0
+        for f in np.unique(owners[inverted]):
+            triangles[owners == f] = self._fan_seeing_all(f, normals[f])
+        return triangles
+
+    def _fan_seeing_all(self, face: int, normal: Array) -> Indices:
+        corners = self.indices[self.offsets[face] : self.offsets[face + 1]]
+        whole = np.array([0, len(corners)])
+        for turn in range(1, len(corners)):
+            fan = fan_triangles(np.roll(corners, -turn), whole)
+            if np.all(triangle_vectors(self.vertices, fan) @ normal >= 0.0):
+                return fan
+        raise GeometryError(
+            "This polyhedron cannot be written as triangles",
+            [Problem(f"face {face} of {len(corners)} corners", "no corner sees all of it; split it into convex faces")],
+        )
+
+
+def _require_format(path: str | Path, done: str) -> None:
+    suffix = Path(path).suffix
+    if suffix.lower() not in _SUFFIXES:
+        raise FileError(
+            f"{path}: a file whose name ends in {suffix or 'no suffix'} cannot be {done}; known suffixes:"
+            f" {', '.join(_SUFFIXES)}"
+        )
+
+
+def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
+    try:
+        points = np.array(vertices, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        problems.append(Problem("vertices", f"an array (n, 3) of numbers is needed ({error})"))
+        return np.empty((0, 3))
+    if points.size == 0:
+        points = points.reshape(0, 3)
+    if points.ndim != 2 or points.shape[1] != 3:
+        problems.append(Problem(f"vertices of shape {points.shape}", "an array (n, 3) is needed"))
+        return points.reshape(-1, 1)
+    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    if len(bad):
+        where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")
+        problems.append(Problem(where, "coordinates must be finite; the file or the program that made it is at fault"))
+    return points
+
+
+def _corners(faces: ArrayLike | Sequence[ArrayLike], count: int, problems: list[Problem]) -> tuple[Indices, Indices]:
+    try:
+        indices, offsets = corner_lists(faces)
+    except (TypeError, ValueError) as error:
+        problems.append(Problem("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})"))
+        return np.empty(0, np.int64), np.zeros(1, np.int64)
+    if isinstance(faces, np.ndarray) and indices.base is not None:
+        indices = indices.copy()  # the caller's array stays the caller's
+    short = np.flatnonzero(np.diff(offsets) < 3)
+    if len(short):
+        sizes = int(np.diff(offsets)[short[0]])
+        more = f" and {len(short) - 1} more" if len(short) > 1 else ""
+        problems.append(Problem(f"face {short[0]} of {sizes} corners{more}", "at least 3 are needed"))
+    bad = np.flatnonzero((indices < 0) | (indices >= count))
+    if len(bad):
+        face = int(np.searchsorted(offsets, bad[0], side="right")) - 1
+        more = f" and {len(bad) - 1} more" if len(bad) > 1 else ""
+        problems.append(
+            Problem(
+                f"vertex number {indices[bad[0]]} in face {face}{more}",
+                f"there are vertices 0 to {count - 1}; lists that count from 1 must be lowered by 1",
+            )
+        )
+    return indices, offsets
+
+
+def _affine_map(matrix: ArrayLike) -> Array:
+    map_ = np.asarray(matrix, float)
+    if (
+        map_.shape != (4, 4)
+        or not np.all(np.isfinite(map_))
+        or not np.array_equal(map_[3], [0.0, 0.0, 0.0, 1.0])
+        or np.linalg.cond(map_[:3, :3]) > 1e12
+    ):
+        raise GeometryError(
+            "A body cannot be transformed by this matrix",
+            [
+                Problem(
+                    f"matrix of shape {map_.shape}",
+                    "[[A, t], [0 0 0 1]] is needed, (4, 4), with an invertible A; points are columns: r → A r + t",
+                )
+            ],
+        )
+    return map_

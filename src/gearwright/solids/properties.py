@@ -1,0 +1,296 @@
+"""Mass properties of a body: one volume, one centroid, one central tensor; everything else follows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike
+from ..errors import GeometryError, ParameterError, Problem
+from ..moments.body import BodyMoments, Method
+from ..moments.matrix import inertia_tensor, moment_matrix
+from .principal import principal_axes
+
+_METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
+"""From the best to the coarsest; a sum is as good as its coarsest part."""
+
+_RIGID = 1e-9
+"""How far R Rᵀ may be from 1 for R to count as a rotation."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MassProperties:
+    """Volume, centroid and inertia of a body, in the length unit it was built in.
+
+    volume          V
+    centroid        (3,) centre of mass
+    central_second  (3, 3) ∫ r rᵀ dV about the centroid, geometric (not times the density)
+    density         mass per cubed length unit; of bodies joined together, the mean density
+    area            surface area, None where unknown
+    bounding_box    (2, 3) lowest and highest coordinates, None where unknown
+    method          how they were found: "exact", "quadrature" or "polyhedron"
+    error_bound     bound on the relative error of V and, norm-wise, of the central second moment
+
+    Everything derived is mass-weighted, except the radii of gyration. Tensors named `central_` are
+    about the centroid, the others about the origin; axes are always those of the frame. In `inertia`
+    and `central_inertia` the off-diagonals are minus the products; `products` are +∫xy, +∫yz, +∫zx.
+
+    Raises ParameterError if the density is not positive or a value not finite.
+    """
+
+    volume: float
+    centroid: Array
+    central_second: Array
+    density: float = 1.0
+    area: float | None = None
+    bounding_box: Array | None = None
+    method: Method = "exact"
+    error_bound: float = 0.0
+
+    def __post_init__(self) -> None:
+        second = _fixed(self.central_second, (3, 3))
+        values = {
+            "volume": float(self.volume),
+            "centroid": _fixed(self.centroid, (3,)),
+            "central_second": _fixed((second + second.T) / 2.0, (3, 3)),
+            "density": _density(self.density),
+            "bounding_box": None if self.bounding_box is None else _fixed(self.bounding_box, (2, 3)),
+        }
+        _require_finite(values)
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
+    @classmethod
+    def from_moments(
+        cls,
+        moments: BodyMoments,
+        *,
+        density: float = 1.0,
+        area: float | None = None,
+        bounding_box: ArrayLike | None = None,
+    ) -> MassProperties:
+        """From moments about a point near the centroid."""
+        return cls(
+            volume=moments.volume,
+            centroid=moments.centroid,
+            central_second=moments.central_second,
+            density=density,
+            area=area,
+            bounding_box=None if bounding_box is None else np.asarray(bounding_box, float),
+            method=moments.method,
+            error_bound=moments.error_bound,
+        )
+
+    @property
+    def mass(self) -> float:
+        """Density × volume."""
+        return self.density * self.volume
+
+    @property
+    def first_moment(self) -> Array:
+        """∫ r dm about the origin (3,)."""
+        return self.mass * self.centroid
+
+    @property
+    def second_moment(self) -> Array:
+        """∫ r rᵀ dm about the origin (3, 3)."""
+        return self.density * self.central_second + self.mass * np.outer(self.centroid, self.centroid)
+
+    @property
+    def inertia(self) -> Array:
+        """Inertia tensor about the origin (3, 3); off-diagonals are minus the products."""
+        return inertia_tensor(self.second_moment)
+
+    @property
+    def central_inertia(self) -> Array:
+        """Inertia tensor about the centroid (3, 3); off-diagonals are minus the products."""
+        return self.density * inertia_tensor(self.central_second)
+
+    @property
+    def products(self) -> Array:
+        """Products of inertia +∫xy dm, +∫yz dm, +∫zx dm about the origin (3,)."""
+        return self.second_moment[[0, 1, 2], [1, 2, 0]]
+
+    @property
+    def principal_moments(self) -> Array:
+        """Principal moments of inertia about the centroid (3,), ascending."""
+        axes = self.principal_axes
+        return np.asarray(np.einsum("ik,ij,jk->k", axes, self.central_inertia, axes))
+
+    @property
+    def principal_axes(self) -> Array:
+        """Axes of the principal moments, in their order, as columns (3, 3): right-handed, signs settled."""
+        return principal_axes(self.central_inertia)
+
+    @property
+    def radii_of_gyration(self) -> Array:
+        """√(principal moment / mass), about the principal axes through the centroid (3,)."""
+        return np.sqrt(np.maximum(self.principal_moments, 0.0) / self.mass)
+
+    @property
+    def moments(self) -> Array:
+        """Moment matrix [m qᵀ; q S] about the origin (4, 4)."""
+        return moment_matrix(self.mass, self.first_moment, self.second_moment)
+
+    def about(self, point: ArrayLike) -> Array:
+        """Inertia tensor about a point (3,), axes parallel to the frame; off-diagonals minus the products."""
+        arm = self.centroid - _fixed(point, (3,))
+        return self.central_inertia + self.mass * inertia_tensor(np.outer(arm, arm))
+
+    def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> MassProperties:
+        """Properties of the body moved by r → R r + t, R (3, 3) a rotation, t (3,).
+
+        The bounding box is kept where R only exchanges axes, else dropped: it does not follow from the box.
+        Raises GeometryError if R is not a rotation (for mirroring and scaling, transform the body itself).
+        """
+        matrix, shift = _rotation(rotation), _fixed(translation, (3,))
+        box = self.bounding_box
+        if box is not None:
+            exchanges = np.all(np.isin(np.abs(matrix), (0.0, 1.0)))
+            box = np.sort(box @ matrix.T + shift, axis=0) if exchanges else None
+        return replace(
+            self,
+            centroid=matrix @ self.centroid + shift,
+            central_second=matrix @ self.central_second @ matrix.T,
+            bounding_box=box,
+        )
+
+    def __add__(self, other: MassProperties) -> MassProperties:
+        """Properties of two bodies that do not overlap, as one; of unlike densities the mean is given."""
+        if not isinstance(other, MassProperties):
+            return NotImplemented
+        box = None
+        if self.bounding_box is not None and other.bounding_box is not None:
+            low, high = zip(self.bounding_box, other.bounding_box, strict=True)
+            box = np.stack([np.min(low, axis=0), np.max(high, axis=0)])
+        return self._combined(other, 1.0, box)
+
+    def __sub__(self, other: MassProperties) -> MassProperties:
+        """Properties of this body without a body that is part of it (give that one this body's density).
+
+        Raises GeometryError if nothing would remain.
+        """
+        if not isinstance(other, MassProperties):
+            return NotImplemented
+        if not (other.volume < self.volume and other.mass < self.mass):
+            raise GeometryError(
+                "The body taken away is no part of the other",
+                [
+                    Problem(
+                        f"volume {other.volume:.6g} of {self.volume:.6g}, mass {other.mass:.6g} of {self.mass:.6g}",
+                        "the part must be smaller than the whole; check the order, the units and the densities",
+                    )
+                ],
+            )
+        box, inner = self.bounding_box, other.bounding_box
+        keeps = box is not None and inner is not None and np.all(inner[0] > box[0]) and np.all(inner[1] < box[1])
+        return self._combined(other, -1.0, box if keeps else None)
+
+    def _combined(self, other: MassProperties, sign: float, box: Array | None) -> MassProperties:
+        volume = self.volume + sign * other.volume
+        mass = self.mass + sign * other.mass
+        like = self.density == other.density
+        density = self.density if like else mass / volume
+        weights = np.array([1.0, sign]) if like else np.array([self.density, sign * other.density]) / density
+        arm = other.centroid - self.centroid
+        second = weights[0] * self.central_second + weights[1] * other.central_second
+        second = second + (weights[0] * self.volume) * (sign * other.mass / mass) * np.outer(arm, arm)
+        return MassProperties(
+            volume=volume,
+            centroid=self.centroid + (sign * other.mass / mass) * arm,
+            central_second=second,
+            density=density,
+            bounding_box=box,
+            method=max(self.method, other.method, key=_METHODS.index),
+            error_bound=_combined_error(self, other, volume, second),
+        )
+
+    def validity(self) -> tuple[Problem, ...]:
+        """Why no body can have these properties; empty where one can.
+
+        Volume positive; central second moment positive definite, which is the same as: no principal
+        moment of inertia exceeds the sum of the other two.
+        """
+        problems = []
+        if not self.volume > 0.0:
+            problems.append(
+                Problem(f"volume = {self.volume:.6g}", "must be positive; faces turned inward give a negative one")
+            )
+        spread = np.linalg.eigvalsh(self.central_second)
+        if not spread[0] > -(self.error_bound + 1e-15) * abs(spread[2]) or not spread[2] > 0.0:
+            first, second, third = self.principal_moments
+            problems.append(
+                Problem(
+                    f"principal moments {first:.6g}, {second:.6g}, {third:.6g}",
+                    "each must be positive and at most the sum of the other two; usual causes are an open boundary"
+                    " and inertia taken about another point than the centroid",
+                )
+            )
+        return tuple(problems)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything by name as plain numbers and lists, for JSON; `products` named xy, yz, zx."""
+        names = (
+            "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
+            " principal_axes radii_of_gyration moments area bounding_box method error_bound"
+        )
+        values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
+        values["products"] = dict(zip(("xy", "yz", "zx"), self.products.tolist(), strict=True))
+        return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
+
+
+def _fixed(values: ArrayLike, shape: tuple[int, ...]) -> Array:
+    array = np.array(values, dtype=float)
+    if array.shape != shape:
+        raise GeometryError(
+            "This is not a vector or tensor in space", [Problem(f"shape {array.shape}", f"{shape} is needed")]
+        )
+    array.flags.writeable = False
+    return array
+
+
+def _density(density: object) -> float:
+    if not (isinstance(density, int | float | np.number) and math.isfinite(density) and density > 0):
+        raise ParameterError(
+            "MassProperties",
+            [Problem(f"density = {density!r}", "a positive number is needed: mass per cubed length unit")],
+        )
+    return float(density)
+
+
+def _require_finite(values: dict[str, Any]) -> None:
+    problems = [
+        Problem(f"{name} = {value}", "finite numbers are needed; the boundary may be open or of no volume")
+        for name, value in values.items()
+        if value is not None and not np.all(np.isfinite(value))
+    ]
+    if problems:
+        raise ParameterError("MassProperties", problems)
+
+
+def _rotation(rotation: ArrayLike) -> Array:
+    matrix = _fixed(rotation, (3, 3))
+    if not (np.abs(matrix @ matrix.T - np.eye(3)).max() < _RIGID and np.linalg.det(matrix) > 0.0):
+        raise GeometryError(
+            "A body cannot be moved by this matrix",
+            [
+                Problem(
+                    f"rotation = {matrix.tolist()}",
+                    "a right-handed rotation is needed: orthonormal rows, determinant +1; to mirror or scale,"
+                    " transform the body itself",
+                )
+            ],
+        )
+    return matrix
+
+
+def _combined_error(a: MassProperties, b: MassProperties, volume: float, second: Array) -> float:
+    """Bound for a sum or difference: absolute errors add, relative to what is left."""
+    arm = b.centroid - a.centroid
+    of_volume = (a.error_bound * abs(a.volume) + b.error_bound * abs(b.volume)) / abs(volume)
+    spreads = [float(np.trace(part.central_second)) + abs(part.volume) * float(arm @ arm) for part in (a, b)]
+    left = abs(float(np.trace(second)))
+    return max(of_volume, (a.error_bound * spreads[0] + b.error_bound * spreads[1]) / left if left else math.inf)
