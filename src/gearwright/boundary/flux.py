@@ -28,7 +28,7 @@ def boundary_flux(patches: Sequence[Patch], caps: Sequence[Cap], nodes: int) -> 
     """Flux by Gauss–Legendre quadrature with nodes² points a patch and `nodes` points a cap's edge."""
     matrix, vector, area = np.zeros((4, 4)), np.zeros(3), 0.0
     for patch in patches:
-        points, area_vectors = _patch_quadrature(patch, nodes)
+        points, area_vectors = patch_quadrature(patch, nodes)
         matrix += patterned(flux_moments(points, area_vectors), patch.pattern.order)
         vector += _turned_sum(area_vectors.sum(axis=0), patch.pattern)
         area += patch.pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
@@ -51,7 +51,8 @@ def loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
     return loop.pattern.images(points).reshape(-1, 3), loop.pattern.images(tangents).reshape(-1, 3)
 
 
-def _patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
+def patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
+    """Points (nodes², 3) of one image of a patch and weighted area vectors (nodes², 3)."""
     x, w = gauss_legendre(nodes)
     u, v = (a.ravel() for a in np.meshgrid((x + 1.0) / 2.0, (x + 1.0) / 2.0, indexing="ij"))
     weights = np.outer(w, w).ravel() / 4.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,7 @@ from ..errors import FileError, GeometryError, Problem
 from ..files import stl
 from ..moments.faces import corner_lists, face_vectors, fan_triangles, triangle_vectors
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
-from .properties import MassProperties
+from .properties import Extent, MassProperties
 from .validity import PolyhedronValidity, examine
 
 _SUFFIXES = (".stl",)
@@ -110,9 +110,8 @@ class Polyhedron:
                     )
                 ],
             )
-        return MassProperties.from_moments(
-            moments.body, density=density, area=moments.area, bounding_box=moments.bounding_box
-        )
+        extent = partial(Extent, moments.area, moments.bounding_box)
+        return MassProperties.from_moments(moments.body, density=density, extent=extent)
 
     def transformed(self, matrix: ArrayLike) -> Polyhedron:
         """The body mapped by a homogeneous matrix (4, 4), r → A r + t; mirrored faces are turned again.

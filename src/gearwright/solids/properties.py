@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import cached_property, partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +23,13 @@ _RIGID = 1e-9
 """How far R Rᵀ may be from 1 for R to count as a rotation."""
 
 
+class Extent(NamedTuple):
+    """Surface area and bounding box (2, 3), lowest and highest coordinates; None where unknown."""
+
+    area: float | None = None
+    bounding_box: Array | None = None
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MassProperties:
     """Volume, centroid and inertia of a body, in the length unit it was built in.
@@ -29,8 +38,8 @@ class MassProperties:
     centroid        (3,) centre of mass
     central_second  (3, 3) ∫ r rᵀ dV about the centroid, geometric (not times the density)
     density         mass per cubed length unit; of bodies joined together, the mean density
-    area            surface area, None where unknown
-    bounding_box    (2, 3) lowest and highest coordinates, None where unknown
+    extent          gives area and bounding box when they are first asked for: on a smooth boundary they cost
+                    more than all the rest
     method          how they were found: "exact", "quadrature" or "polyhedron"
     error_bound     bound on the relative error of V and, norm-wise, of the central second moment
 
@@ -45,8 +54,7 @@ class MassProperties:
     centroid: Array
     central_second: Array
     density: float = 1.0
-    area: float | None = None
-    bounding_box: Array | None = None
+    extent: Callable[[], Extent] = Extent
     method: Method = "exact"
     error_bound: float = 0.0
 
@@ -57,7 +65,6 @@ class MassProperties:
             "centroid": _fixed(self.centroid, (3,)),
             "central_second": _fixed((second + second.T) / 2.0, (3, 3)),
             "density": _density(self.density),
-            "bounding_box": None if self.bounding_box is None else _fixed(self.bounding_box, (2, 3)),
         }
         _require_finite(values)
         for name, value in values.items():
@@ -65,12 +72,7 @@ class MassProperties:
 
     @classmethod
     def from_moments(
-        cls,
-        moments: BodyMoments,
-        *,
-        density: float = 1.0,
-        area: float | None = None,
-        bounding_box: ArrayLike | None = None,
+        cls, moments: BodyMoments, *, density: float = 1.0, extent: Callable[[], Extent] = Extent
     ) -> MassProperties:
         """From moments about a point near the centroid."""
         return cls(
@@ -78,11 +80,24 @@ class MassProperties:
             centroid=moments.centroid,
             central_second=moments.central_second,
             density=density,
-            area=area,
-            bounding_box=None if bounding_box is None else np.asarray(bounding_box, float),
+            extent=extent,
             method=moments.method,
             error_bound=moments.error_bound,
         )
+
+    @cached_property
+    def _extent(self) -> Extent:
+        return self.extent()
+
+    @property
+    def area(self) -> float | None:
+        """Surface area, None where unknown."""
+        return self._extent.area
+
+    @property
+    def bounding_box(self) -> Array | None:
+        """Lowest and highest coordinates (2, 3), None where unknown."""
+        return self._extent.bounding_box
 
     @property
     def mass(self) -> float:
@@ -147,26 +162,18 @@ class MassProperties:
         Raises GeometryError if R is not a rotation (for mirroring and scaling, transform the body itself).
         """
         matrix, shift = _rotation(rotation), _fixed(translation, (3,))
-        box = self.bounding_box
-        if box is not None:
-            exchanges = np.all(np.isin(np.abs(matrix), (0.0, 1.0)))
-            box = np.sort(box @ matrix.T + shift, axis=0) if exchanges else None
         return replace(
             self,
             centroid=matrix @ self.centroid + shift,
             central_second=matrix @ self.central_second @ matrix.T,
-            bounding_box=box,
+            extent=partial(_moved_extent, self, matrix, shift),
         )
 
     def __add__(self, other: MassProperties) -> MassProperties:
         """Properties of two bodies that do not overlap, as one; of unlike densities the mean is given."""
         if not isinstance(other, MassProperties):
             return NotImplemented
-        box = None
-        if self.bounding_box is not None and other.bounding_box is not None:
-            low, high = zip(self.bounding_box, other.bounding_box, strict=True)
-            box = np.stack([np.min(low, axis=0), np.max(high, axis=0)])
-        return self._combined(other, 1.0, box)
+        return self._combined(other, 1.0, partial(_joint_extent, self, other))
 
     def __sub__(self, other: MassProperties) -> MassProperties:
         """Properties of this body without a body that is part of it (give that one this body's density).
@@ -185,11 +192,9 @@ class MassProperties:
                     )
                 ],
             )
-        box, inner = self.bounding_box, other.bounding_box
-        keeps = box is not None and inner is not None and np.all(inner[0] > box[0]) and np.all(inner[1] < box[1])
-        return self._combined(other, -1.0, box if keeps else None)
+        return self._combined(other, -1.0, partial(_remaining_extent, self, other))
 
-    def _combined(self, other: MassProperties, sign: float, box: Array | None) -> MassProperties:
+    def _combined(self, other: MassProperties, sign: float, extent: Callable[[], Extent]) -> MassProperties:
         volume = self.volume + sign * other.volume
         mass = self.mass + sign * other.mass
         like = self.density == other.density
@@ -203,7 +208,7 @@ class MassProperties:
             centroid=self.centroid + (sign * other.mass / mass) * arm,
             central_second=second,
             density=density,
-            bounding_box=box,
+            extent=extent,
             method=max(self.method, other.method, key=_METHODS.index),
             error_bound=_combined_error(self, other, volume, second),
         )
@@ -240,6 +245,28 @@ class MassProperties:
         values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
         values["products"] = dict(zip(("xy", "yz", "zx"), self.products.tolist(), strict=True))
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
+
+
+def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:
+    """The box follows from the body's where the rotation only exchanges axes."""
+    box = body.bounding_box
+    exchanges = box is not None and np.all(np.isin(np.abs(rotation), (0.0, 1.0)))
+    return Extent(body.area, np.sort(box @ rotation.T + shift, axis=0) if box is not None and exchanges else None)
+
+
+def _joint_extent(a: MassProperties, b: MassProperties) -> Extent:
+    """The area is unknown: bodies may touch."""
+    if a.bounding_box is None or b.bounding_box is None:
+        return Extent()
+    low, high = zip(a.bounding_box, b.bounding_box, strict=True)
+    return Extent(None, np.stack([np.min(low, axis=0), np.max(high, axis=0)]))
+
+
+def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
+    """The box stays where the part lies inside it."""
+    box, inner = whole.bounding_box, part.bounding_box
+    keeps = box is not None and inner is not None and np.all(inner[0] > box[0]) and np.all(inner[1] < box[1])
+    return Extent(None, box if keeps else None)
 
 
 def _fixed(values: ArrayLike, shape: tuple[int, ...]) -> Array:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from ..boundary.boundary import Boundary
+from ..boundary.extent import bounding_box, surface_area
 from ..boundary.flux import boundary_flux
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.boundary_integral import converged
 from .polyhedron import Polyhedron
-from .properties import MassProperties
+from .properties import Extent, MassProperties
 
 DEFAULT_TOLERANCE = 1e-4
 """Chord tolerance of a polyhedron, relative to the diagonal of the bounding box."""
@@ -35,7 +37,7 @@ class Solid(ABC):
 
     def properties(self, density: float = 1.0) -> MassProperties:
         """Volume, centroid and inertia; density in mass per cubed length unit."""
-        return MassProperties.from_moments(self.moments, density=density)
+        return MassProperties.from_moments(self.moments, density=density, extent=partial(_extent, self))
 
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
         """A watertight polyhedron with every chord within the tolerance (length) of the solid's surface.
@@ -49,6 +51,10 @@ class Solid(ABC):
     def save(self, path: str | Path, tolerance: float | None = None) -> None:
         """Writes the polyhedron to a file in the format of its suffix."""
         self.polyhedron(tolerance).save(path)
+
+
+def _extent(solid: Solid) -> Extent:
+    return Extent(surface_area(solid.boundary), bounding_box(solid.boundary))
 
 
 def flux_moments(boundary: Boundary) -> BodyMoments:

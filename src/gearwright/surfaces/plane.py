@@ -39,6 +39,12 @@ class Plane(Surface):
         del tolerance
         return np.full(chart.shape[:-1], np.inf)
 
+    def area(self, points: Array, tangents: Array) -> float:
+        return float(plane_moments(self.chart(points), tangents @ self._axes.T)[0, 0])
+
+    def extremes(self) -> Array:
+        return np.empty((0, 3))
+
     def flux(self, points: Array, tangents: Array) -> Array:
         region = moment_matrix_2d(plane_moments(self.chart(points), tangents @ self._axes.T))
         placed = affine(self._axes.T, self.origin)

@@ -35,6 +35,13 @@ class Sphere(Surface):
         step = np.sqrt(4.0 * self.radius * tolerance)  # the sagitta of a circle of half a square's diagonal
         return step * (1.0 + np.sum(chart * chart, axis=-1)) / (2.0 * self.radius)
 
+    def area(self, points: Array, tangents: Array) -> float:
+        return float(self.radius**2 * _polar_integrals(points / self.radius, tangents / self.radius)[0, 0])
+
+    def extremes(self) -> Array:
+        """On every axis but −z, which no face contains."""
+        return self.radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1]])
+
     def flux(self, points: Array, tangents: Array) -> Array:
         region = _polar_integrals(points / self.radius, tangents / self.radius)
         scale = np.diag([1.0, self.radius, self.radius, self.radius])

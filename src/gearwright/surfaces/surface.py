@@ -32,6 +32,14 @@ class Surface(ABC):
         """Chart distance (...) between neighbours of a square lattice whose triangles keep a chord tolerance."""
 
     @abstractmethod
+    def area(self, points: Array, tangents: Array) -> float:
+        """Area of the face, negative where its loops run clockwise in the chart; arguments as for flux."""
+
+    @abstractmethod
+    def extremes(self) -> Array:
+        """Points (n, 3) at which a coordinate is stationary on the whole surface."""
+
+    @abstractmethod
     def flux(self, points: Array, tangents: Array) -> Array:
         """∫ (r·n) [1/3 rᵀ/4; r/4 r rᵀ/5] dA (4, 4): the face's share of the moments of the body it bounds.
 

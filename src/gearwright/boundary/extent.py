@@ -1,0 +1,104 @@
+"""How large a boundary is: its area and its bounding box, on the true surfaces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import minimize
+
+from ..arrays import Array
+from ..moments.boundary_integral import converged
+from .boundary import Boundary
+from .faces import Cap, Patch
+from .flux import loop_quadrature, patch_quadrature
+
+_GRID = 17  # samples a side of a patch in the search for its extremes
+_NEAR_BEST = 0.02  # of the size: a sample worth refining; a patch sagging more between samples would be a poor one
+_LOOP_SAMPLES = 64  # a curve, to see whether an extreme of a cap's surface lies in the cap
+
+
+def surface_area(boundary: Boundary) -> float:
+    """Area by Gauss–Legendre quadrature, with nodes increased until it settles."""
+    return float(converged(lambda nodes: np.array(_area(boundary, nodes)))[0])
+
+
+def bounding_box(boundary: Boundary) -> Array:
+    """Lowest and highest coordinates (2, 3): extremes of the patches, found on a grid and refined, and of the caps."""
+    candidates = [_Candidates.of(patch) for patch in boundary.patches]
+    samples = np.concatenate([c.points.reshape(-1, 3) for c in candidates])
+    size = float(np.ptp(samples, axis=0).max())
+    inside = np.array([point for cap in boundary.caps for point in _extremes_inside(cap)]).reshape(-1, 3)
+    box = np.empty((2, 3))
+    for axis in range(3):
+        for row, sign in enumerate((-1.0, 1.0)):
+            best = float(np.max(sign * samples[:, axis]))
+            near = [c for c in candidates if np.max(sign * c.points[..., axis]) > best - _NEAR_BEST * size]
+            box[row, axis] = sign * max([*(c.refined(axis, sign) for c in near), *(sign * inside[:, axis])])
+    return box
+
+
+def _area(boundary: Boundary, nodes: int) -> float:
+    patches = (
+        patch.pattern.order * float(np.sum(np.linalg.norm(patch_quadrature(patch, nodes)[1], axis=1)))
+        for patch in boundary.patches
+    )
+    caps = (abs(sum(cap.surface.area(*loop_quadrature(loop, nodes)) for loop in cap.loops)) for cap in boundary.caps)
+    return sum(patches) + sum(caps)
+
+
+@dataclass(frozen=True)
+class _Candidates:
+    """Samples of a patch in all its images: points (order, n, 3) at fractions (n, 2)."""
+
+    patch: Patch
+    fractions: Array
+    points: Array
+
+    @classmethod
+    def of(cls, patch: Patch) -> _Candidates:
+        side = np.linspace(0.0, 1.0, _GRID)
+        fractions = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+        return cls(patch, fractions, patch.pattern.images(patch.point(*fractions.T)))
+
+    def refined(self, axis: int, sign: float) -> float:
+        """Greatest sign × coordinate, by descent from the best sample."""
+        image, index = np.unravel_index(np.argmax(sign * self.points[..., axis]), self.points.shape[:2])
+        direction = np.zeros(3)
+        direction[axis] = -sign
+        # the image's coordinate is the sector's along the direction turned back
+        back = self.patch.pattern.images(np.eye(3))[image] @ direction
+
+        def height(uv: Array) -> tuple[float, Array]:
+            du, dv = self.patch.partials(*uv)
+            return float(self.patch.point(*uv) @ back), np.array([du @ back, dv @ back])
+
+        found = minimize(height, self.fractions[index], jac=True, method="L-BFGS-B", bounds=[(0.0, 1.0)] * 2)
+        return max(-float(found.fun), float(np.max(sign * self.points[..., axis])))
+
+
+def _extremes_inside(cap: Cap) -> Iterator[Array]:
+    """Points of a cap where its surface is extreme along a coordinate axis."""
+    loops = [cap.surface.chart(_sampled(cap, i)) for i in range(len(cap.loops))]
+    for point in cap.surface.extremes():
+        around = sum(_winding(loop - cap.surface.chart(point)) for loop in loops)
+        if round(around) != 0:
+            yield point
+
+
+def _sampled(cap: Cap, i: int) -> Array:
+    loop = cap.loops[i]
+    fractions = np.arange(_LOOP_SAMPLES) / _LOOP_SAMPLES
+    chain = [
+        use.edge.curve.point(use.edge.curve.parameter(1.0 - fractions if use.reverse else fractions))
+        for use in loop.uses
+    ]
+    points = loop.pattern.images(np.concatenate(chain))
+    return (points if loop.uses[-1].edge.end_turn >= 0 else np.roll(points[::-1], 1, axis=0)).reshape(-1, 3)
+
+
+def _winding(offsets: Array) -> float:
+    """Turns of a closed polygon (n, 2) about the origin, whichever way it runs."""
+    z = offsets[:, 0] + 1j * offsets[:, 1]
+    return float(np.sum(np.angle(np.roll(z, -1) / z)) / (2.0 * np.pi))
