@@ -49,7 +49,8 @@ class Parameter:
         if self.kind == "choice":
             return None if value in self.choices else f"choose one of {', '.join(self.choices)}"
         if isinstance(value, bool) or not isinstance(value, int | float):
-            return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {type(value).__name__}"
+            kind = "text" if isinstance(value, str) else type(value).__name__
+            return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"
         if not math.isfinite(value):
             return "a finite number is needed"
         if self.kind == "integer" and value != int(value):
@@ -155,8 +156,9 @@ class Problems:
         """Adds a problem of the named parameter, shown with its value and unit."""
         declaration = self._declared[name]
         unit = getattr(self._element, "length_unit", "mm")
-        value = in_words(getattr(self._element, name), declaration.parameter.unit, str(unit))
-        self._found.append(Problem(f"{name} = {value}", message))
+        value = getattr(self._element, name)
+        subject = name if value is None else f"{name} = {in_words(value, declaration.parameter.unit, str(unit))}"
+        self._found.append(Problem(subject, message))
         self._names.add(name)
 
     def add_members(self, members: Mapping[str, Callable[[], object]], settled: Collection[str] = ()) -> None:

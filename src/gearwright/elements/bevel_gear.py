@@ -200,6 +200,11 @@ class BevelGear(Element):
         rate = sense * np.tan(np.radians(self.spiral_angle)) / np.sin(self.pitch_cone_angle)
         return LogarithmicTrace(rate=float(rate), mean_distance=self.mean_distance)
 
+    @property
+    def description(self) -> str:
+        spiral = f", {self.hand}-hand spiral {self.spiral_angle:g}°" if self.spiral_angle else ""
+        return f"z = {self.teeth}, δ = {np.degrees(self.pitch_cone_angle):.4g}°{spiral}"
+
     @cached_property
     def solid(self) -> Solid:
         """The spherical section swept radially; with a bore, the toothed ring and a revolved collar glued in it."""

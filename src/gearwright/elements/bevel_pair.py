@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from ..arrays import Array
 from ..parameters import Problems, Size, declared, member_value
 from . import declarations as d
 from . import refusals
+from .assembly import PlacedPart, draw_parts, save_parts
 from .bevel_gear import BevelGear, pitch_cone_angle
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_one_pitch
@@ -157,6 +159,39 @@ class BevelPair:
     def gear(self) -> BevelGear:
         """The second member, in its own frame."""
         return self._member(1)
+
+    @property
+    def description(self) -> str:
+        """A few words that tell this pair from others."""
+        spiral = f"{self.trace} spiral {self.spiral_angle:g}°" if self.spiral_angle else "straight"
+        return f"{self.teeth[0]}/{self.teeth[1]} teeth, {spiral}, Σ = {self.shaft_angle:g}°"
+
+    def parts(self, tolerance: float | None = None, turn: float = 0.0) -> list[PlacedPart]:
+        """Both members as polyhedra within a chord tolerance (length), where they mesh."""
+        members = {"pinion": self.pinion, "gear": self.gear}
+        return [
+            PlacedPart(
+                name=name,
+                label=f"{name}\n{member.description}",
+                polyhedron=member.polyhedron(tolerance),
+                placement=placement,
+            )
+            for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
+        ]
+
+    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+        """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
+
+        Raises FileError, MachineError.
+        """
+        save_parts(self.parts(tolerance), Path(path), self.length_unit)
+
+    def picture(self, path: str | Path, tolerance: float | None = None, turn: float = 0.0) -> None:
+        """Draws both members in mesh into a PNG file, the pinion turned by so many degrees.
+
+        Raises FileError, MachineError.
+        """
+        draw_parts(self.parts(tolerance, turn), Path(path), self.description, self.length_unit)
 
     def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
         """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees.

@@ -6,9 +6,11 @@ from ..parameters import MILLIMETRES, Parameter
 
 TEETH = Parameter(meaning="number of teeth", kind="integer", symbol="z", minimum=3, maximum=10_000)
 MATE_TEETH = Parameter(meaning="number of teeth of the mate", kind="integer", symbol="z", minimum=3, maximum=10_000)
-MODULE = Parameter(meaning="module, always in mm (bevel gears: at the outer end)", unit="mm", symbol="m", above=0)
+MODULE = Parameter(meaning="module, always in mm", unit="mm", symbol="m", above=0)
 DIAMETRAL_PITCH = Parameter(meaning="teeth per inch of pitch diameter", unit="per inch", symbol="P_d", above=0)
-FACE_WIDTH = Parameter(meaning="width of the teeth (bevel gears: along the cone)", unit="length", symbol="b", above=0)
+FACE_WIDTH = Parameter(
+    meaning="width of the teeth, along the cone where they are on one", unit="length", symbol="b", above=0
+)
 PRESSURE_ANGLE = Parameter(meaning="transverse pressure angle", unit="angle", symbol="α", above=0, below=60)
 SHAFT_ANGLE = Parameter(meaning="angle between the axes", unit="angle", symbol="Σ", above=0, below=180)
 PITCH_ANGLE = Parameter(meaning="half-angle of the pitch cone", unit="angle", symbol="δ", above=0, maximum=90)
@@ -18,13 +20,13 @@ WORKING_DEPTH = Parameter(meaning="sum of the members' addenda", unit="length", 
 WHOLE_DEPTH = Parameter(meaning="addendum and dedendum of a member", unit="length", symbol="h", above=0)
 GEAR_ADDENDUM = Parameter(meaning="addendum of the gear, the second member", unit="length", symbol="h_a2", above=0)
 CIRCULAR_THICKNESS = Parameter(
-    meaning="arc thickness of a tooth on the (outer) pitch circle; half the pitch if not given",
+    meaning="arc thickness of a tooth on the pitch circle, the outer one of a cone; half the pitch if not given",
     unit="length",
     symbol="s",
     above=0,
 )
 BACKLASH = Parameter(
-    meaning="circular backlash on the (outer) pitch circle, half from each member",
+    meaning="circular backlash on the pitch circle, the outer one of a cone; half from each member",
     unit="length",
     symbol="j_t",
     minimum=0,

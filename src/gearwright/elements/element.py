@@ -5,16 +5,26 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from pathlib import Path
 
+import numpy as np
+
 from ..boundary.boundary import Boundary
 from ..parameters import MILLIMETRES, Problems, Size
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.solid import Solid
 from . import refusals
+from .assembly import PlacedPart, draw_parts
 
 
 class Element(ABC):
     """One part: its parameters are its fields, its shape is `solid`, in its own frame and length unit."""
+
+    length_unit: str
+
+    @property
+    @abstractmethod
+    def description(self) -> str:
+        """A few words that tell this part from others of its kind, for labels and titles."""
 
     @property
     @abstractmethod
@@ -38,8 +48,13 @@ class Element(ABC):
         return self.solid.polyhedron(tolerance)
 
     def save(self, path: str | Path, tolerance: float | None = None) -> None:
-        """Writes the polyhedron to a file in the format of its suffix."""
-        self.solid.save(path, tolerance)
+        """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
+        self.polyhedron(tolerance).save(path, length_unit=self.length_unit)
+
+    def picture(self, path: str | Path, tolerance: float | None = None) -> None:
+        """Draws the part into a PNG file. Raises FileError, MachineError."""
+        part = PlacedPart(name="part", label="", polyhedron=self.polyhedron(tolerance), placement=np.eye(4))
+        draw_parts([part], Path(path), self.description, self.length_unit)
 
 
 def module_in(length_unit: str, module: float | None, diametral_pitch: float | None) -> float:

@@ -117,6 +117,10 @@ class SpurGear(Element):
             thickness=self.thickness / self.pitch_radius,
         )
 
+    @property
+    def description(self) -> str:
+        return f"z = {self.teeth}, m = {self.transverse_module:.4g} {self.length_unit}"
+
     @cached_property
     def solid(self) -> Solid:
         """The section extruded over the face width."""

@@ -48,9 +48,9 @@ class Solid(ABC):
             tolerance = DEFAULT_TOLERANCE * diagonal(self.boundary)
         return Polyhedron(*tessellate(self.boundary, sampling(self.boundary, tolerance)))
 
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
-        """Writes the polyhedron to a file in the format of its suffix."""
-        self.polyhedron(tolerance).save(path)
+    def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
+        """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
+        self.polyhedron(tolerance).save(path, length_unit=length_unit)
 
 
 def _extent(solid: Solid) -> Extent:

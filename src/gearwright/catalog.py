@@ -1,0 +1,107 @@
+"""ELEMENTS, MOTIONS, FILE_FORMATS: the lists to extend. Listing them loads none of what they name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, Literal
+
+Source = str
+"""Where a thing is loaded from: "package.module:name"."""
+
+
+def load(source: Source) -> Any:
+    """What an entry's source names, imported now."""
+    module, name = source.split(":")
+    return getattr(import_module(module), name)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Element:
+    """A kind of part, or a pair of them, that is built from parameters.
+
+    command   the subcommand of the command line that builds it
+    members   how many parts it has: 1, or 2 for a pair
+    origin    what is at the origin of a part's frame
+    """
+
+    name: str
+    summary: str
+    source: Source
+    command: str
+    origin: str
+    members: Literal[1, 2] = 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motion:
+    """A way in which a section sweeps out a solid."""
+
+    name: str
+    summary: str
+    source: Source
+
+
+@dataclass(frozen=True, kw_only=True)
+class FileFormat:
+    """A kind of file, by its suffix; None where it is not written or not read."""
+
+    name: str
+    summary: str
+    suffix: str
+    writer: Source | None = None
+    reader: Source | None = None
+
+
+ELEMENTS = (
+    Element(
+        name="bevel gear",
+        summary="one bevel gear",
+        source="gearwright.elements.bevel_gear:BevelGear",
+        command="bevel",
+        origin="the apex of the part's cones; +z is its axis, towards the body",
+    ),
+    Element(
+        name="bevel pair",
+        summary="a pair in mesh",
+        source="gearwright.elements.bevel_pair:BevelPair",
+        command="bevel",
+        origin="the apex of the part's cones; +z is its axis, towards the body",
+        members=2,
+    ),
+    Element(
+        name="spur gear",
+        summary="an involute spur gear",
+        source="gearwright.elements.spur_gear:SpurGear",
+        command="spur",
+        origin="on the axis, +z, at one end of the teeth",
+    ),
+)
+
+MOTIONS = (
+    Motion(
+        name="straight",
+        summary="a plane section extruded along its normal",
+        source="gearwright.motions.straight:Straight",
+    ),
+    Motion(
+        name="revolution",
+        summary="a section of the half-plane revolved about its axis",
+        source="gearwright.motions.revolution:Revolution",
+    ),
+    Motion(
+        name="radial",
+        summary="a section of the sphere swept from the apex, turning as a tooth trace says",
+        source="gearwright.motions.radial:Radial",
+    ),
+)
+
+FILE_FORMATS = (
+    FileFormat(
+        name="STL",
+        summary="triangles, binary or text",
+        suffix=".stl",
+        writer="gearwright.files.stl:write",
+        reader="gearwright.files.stl:read",
+    ),
+)

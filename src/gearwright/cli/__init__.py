@@ -1,0 +1,5 @@
+"""The command line: text and options in, tables, JSON and files out."""
+
+from .app import main
+
+__all__ = ["main"]

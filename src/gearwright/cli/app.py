@@ -1,0 +1,59 @@
+"""The commands. Those that compute load when they are called, so that `--help` answers at once."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from collections.abc import Sequence
+
+import cyclopts
+
+from .. import __version__, catalog
+from .exits import DONE, report
+from .options import teeth_given
+
+EPILOGUE = """Lengths are millimetres unless --length-unit says otherwise, angles degrees.
+Results go to stdout, progress and warnings to stderr.
+Exit codes: 0 done, 1 a check failed, 2 unusable input, 3 the machine's fault."""
+
+
+def build() -> cyclopts.App:
+    """The application with every command registered by where it is loaded from."""
+    app = cyclopts.App(
+        name="gearwright",
+        version=__version__,
+        help="Geometric modelling of gears and swept solids, with exact volumetric properties.",
+        help_epilogue=EPILOGUE,
+        help_format="plaintext",
+        exit_on_error=False,
+        print_error=False,
+        suppress_keyboard_interrupt=False,
+        result_action="return_value",
+    )
+    for name in dict.fromkeys(element.command for element in catalog.ELEMENTS):
+        app.command(f"{__package__}.elements:{name}", name=name, help=_help(name))
+    app.command(f"{__package__}.properties:properties", name="properties", help="Volumetric properties of STL files.")
+    app.command(
+        f"{__package__}.demo:demo", name="demo", help="Build a bevel pair; compare exact with polyhedral values."
+    )
+    return app
+
+
+def _help(command: str) -> str:
+    """What an element's command builds; of several kinds, what chooses between them."""
+    kinds = [element for element in catalog.ELEMENTS if element.command == command]
+    summaries = f"Build {' or '.join(kind.summary for kind in kinds)}: sizes, properties, files."
+    if len(kinds) == 1:
+        return summaries
+    return "\n\n".join([summaries, *(f"{teeth_given(kind)}: {kind.summary}." for kind in kinds)])
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command line on the arguments (those of the process, if None) and gives the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        code = build()(words)
+        sys.stdout.flush()
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  an edge: everything becomes a message and a code
+        return report(error, shlex.join(["gearwright", *words]))
+    return code if isinstance(code, int) else DONE

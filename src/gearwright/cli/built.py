@@ -1,0 +1,88 @@
+"""What a command has built: parts with their placements and properties, and the pair they make."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from ..arrays import Array
+from ..parameters import MILLIMETRES, Size
+from ..solids.polyhedron import Polyhedron
+from ..solids.properties import MassProperties
+
+
+class Gear(Protocol):
+    """An element that is one part."""
+
+    @property
+    def length_unit(self) -> str: ...
+    @property
+    def description(self) -> str: ...
+    def sizes(self) -> dict[str, Size]: ...
+    def properties(self, density: float = 1.0) -> MassProperties: ...
+    def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
+
+
+class Pair(Protocol):
+    """An element that is two gears in mesh."""
+
+    @property
+    def description(self) -> str: ...
+    @property
+    def pinion(self) -> Gear: ...
+    @property
+    def gear(self) -> Gear: ...
+    def sizes(self) -> dict[str, Size]: ...
+    def placements(self, turn: float = 0.0) -> tuple[Array, Array]: ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Units:
+    """Units of what is shown. Without a density mass is volume, in cubed length units."""
+
+    length: str
+    mass: str
+
+    @property
+    def has_mass(self) -> bool:
+        return self.mass == "kg"
+
+
+def units_and_density(length_unit: str, density: float | None) -> tuple[Units, float]:
+    """Units of the properties and density in mass per cubed length unit, from kg/m³ or None."""
+    if density is None:
+        return Units(length=length_unit, mass=f"{length_unit}^3"), 1.0
+    return Units(length=length_unit, mass="kg"), density * (MILLIMETRES[length_unit] * 1e-3) ** 3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """One part. placement (4, 4) puts it in mesh; the identity for a single part."""
+
+    gear: Gear
+    placement: Array
+    properties: MassProperties
+
+
+@dataclass(frozen=True, kw_only=True)
+class Built:
+    """Parts by name, pinion first, and the pair they make, None for a single part.
+
+    kind     the catalog's name
+    origin   what is at the origin of each part's frame
+    """
+
+    kind: str
+    origin: str
+    parts: Mapping[str, Part]
+    pair: Any
+    pair_sizes: Mapping[str, Size]
+    units: Units
+
+    @property
+    def title(self) -> str:
+        """What a picture of it says."""
+        (first, *_) = self.parts.values()
+        element: Gear | Pair = first.gear if self.pair is None else self.pair
+        return f"{self.kind}: {element.description}"

@@ -1,0 +1,105 @@
+"""One command for each name in the catalog: parameters in, sizes, properties and files out."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from .. import catalog
+from ..errors import Problem, ProblemsError
+from ..parameters import declarations, from_mapping
+from .built import Built, Gear, Part, units_and_density
+from .common_options import DEFAULT, FLATTENED, Outputs
+from .exits import DONE
+from .json_output import built_json
+from .options import given_values, offered, option_name, signature_parameters, teeth_given
+from .outputs import write
+from .report import show_built
+
+Words = Mapping[str, Sequence[str] | None]
+
+
+@cache
+def __getattr__(name: str) -> Callable[..., int]:
+    """The command of a name that the catalog's elements have."""
+    kinds = [kind for kind in catalog.ELEMENTS if kind.command == name]
+    if not kinds:
+        raise AttributeError(f"the catalog has no element with the command {name!r}")
+    return _command(name, sorted(kinds, key=lambda kind: -kind.members))
+
+
+def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
+    """A function whose signature is the union of the parameters of the kinds, and the common options."""
+    parameters = offered({kind.name: catalog.load(kind.source) for kind in kinds})
+
+    def run(*, outputs: Outputs = DEFAULT, **words: Sequence[str] | None) -> int:
+        kind = _chosen(kinds, words)
+        values = given_values(parameters, words)
+        _refuse_others(kind, [one for one in kinds if one != kind], values)
+        built = _built(kind, values, outputs)
+        written = write(built, outputs)
+        print(built_json(built)) if outputs.json else show_built(built)
+        for path in written:
+            print(f"wrote {path}", file=sys.stderr)
+        return DONE
+
+    common = inspect.Parameter("outputs", inspect.Parameter.KEYWORD_ONLY, default=DEFAULT, annotation=FLATTENED)
+    signature = inspect.Signature([*signature_parameters(parameters), common], return_annotation=int)
+    run.__name__ = run.__qualname__ = name
+    run.__signature__ = signature  # type: ignore[attr-defined]
+    run.__annotations__ = {p.name: p.annotation for p in signature.parameters.values()}
+    return run
+
+
+def _chosen(kinds: Sequence[catalog.Element], words: Words) -> catalog.Element:
+    """The pair where two numbers of teeth (or none) are given, the single part where there is one."""
+    members = len(words.get("teeth") or (1, 2))
+    return next((kind for kind in kinds if kind.members == members), kinds[0])
+
+
+def _refuse_others(kind: catalog.Element, others: Sequence[catalog.Element], values: Mapping[str, Any]) -> None:
+    """Refuses options that only another of the command's kinds has. Raises ProblemsError."""
+    own = _names(kind)
+    found = [
+        Problem(option_name(name), f"applies to a {other.name} ({teeth_given(other)})")
+        for other in others
+        for name in values
+        if name in _names(other) and name not in own
+    ]
+    if found:
+        raise ProblemsError(f"A {kind.name} ({teeth_given(kind)}) cannot be built with these options", found)
+
+
+def _names(kind: catalog.Element) -> set[str]:
+    return {d.name for d in declarations(catalog.load(kind.source))}
+
+
+def _built(kind: catalog.Element, values: Mapping[str, Any], outputs: Outputs) -> Built:
+    if kind.members == 1:
+        outputs.require_no_pair_options(kind.name)
+    element = from_mapping(catalog.load(kind.source), values)
+    if kind.members == 1:
+        gears: dict[str, Gear] = {kind.name: element}
+        placements = [np.eye(4)]
+    else:
+        gears = {"pinion": element.pinion, "gear": element.gear}
+        placements = list(element.placements(turn=outputs.turn or 0.0))
+    units, density = units_and_density(element.length_unit, outputs.density)
+    parts = {
+        name: Part(gear=gear, placement=placement, properties=gear.properties(density))
+        for (name, gear), placement in zip(gears.items(), placements, strict=True)
+    }
+    pair = element if kind.members == 2 else None
+    return Built(
+        kind=kind.name,
+        origin=kind.origin,
+        parts=parts,
+        pair=pair,
+        pair_sizes=pair.sizes() if pair else {},
+        units=units,
+    )

@@ -1,0 +1,135 @@
+"""Options of the command line, derived from the declared parameters of elements."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated, Any
+
+from cyclopts import Group
+from cyclopts import Parameter as Option
+
+from .. import catalog
+from ..parameters import Declaration, Parameter, declarations, in_words
+
+NEEDED = Group("Needed", sort_key=1)
+SHAPE = Group("Shape", sort_key=2)
+OUTPUT = Group("Output", sort_key=4)
+
+_METAVARS = {"length": "LENGTH", "angle": "DEG", "mm": "MM", "per inch": "PER-INCH", "": "NUMBER"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Offered:
+    """A parameter that a command offers. only   the one kind of element that has it, "" if all have."""
+
+    declaration: Declaration
+    only: str
+
+
+def offered(kinds: Mapping[str, type]) -> dict[str, Offered]:
+    """The parameters of several kinds of elements by name, declared as in the first kind that has each."""
+    found: dict[str, Offered] = {}
+    for name in dict.fromkeys(d.name for kind in kinds.values() for d in declarations(kind)):
+        owners = {kind: d for kind, element in kinds.items() for d in declarations(element) if d.name == name}
+        first = next(iter(owners.values()))
+        if len({d.members for d in owners.values()}) > 1:
+            first = replace(first, members="both")
+        found[name] = Offered(declaration=first, only="" if len(owners) == len(kinds) else next(iter(owners)))
+    return found
+
+
+def option_name(name: str) -> str:
+    """The option of a parameter, as it is typed: "--face-width"."""
+    return "--" + name.replace("_", "-")
+
+
+def teeth_given(kind: catalog.Element) -> str:
+    """What chooses a kind among those of one command."""
+    return f"{option_name('teeth')} with {'one number' if kind.members == 1 else 'two numbers'}"
+
+
+def signature_parameters(parameters: Mapping[str, Offered]) -> list[inspect.Parameter]:
+    """A keyword-only function parameter for each declaration, annotated for cyclopts.
+
+    Options arrive as lists of words, None where not given; `given_values` reads them. What is
+    missing or out of range is left to the element, which names all problems together.
+    """
+    return [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=_annotation(one))
+        for name, one in parameters.items()
+    ]
+
+
+def given_values(parameters: Mapping[str, Offered], words: Mapping[str, Sequence[str] | None]) -> dict[str, Any]:
+    """The values of the options that were given: one, or a tuple of several, by parameter name."""
+    return {name: _value(parameters[name].declaration.parameter, given) for name, given in words.items() if given}
+
+
+def _annotation(one: Offered) -> Any:
+    declaration = one.declaration
+    option = Option(
+        name=option_name(declaration.name),
+        group=_group(one),
+        help=_help(declaration),
+        metavar=_metavar(declaration),
+        consume_multiple=(1, 2),
+        negative_iterable=(),
+        show_default=_default(declaration),
+    )
+    return Annotated[list[str] | None, option]
+
+
+def _group(one: Offered) -> Group:
+    if one.only:
+        return Group(f"Of a {one.only} only", sort_key=3)
+    return NEEDED if one.declaration.required else SHAPE
+
+
+def _help(declaration: Declaration) -> str:
+    parameter = declaration.parameter
+    text = parameter.meaning.rstrip(".")
+    if parameter.symbol:
+        text += f", {parameter.symbol}"
+    limits = ", ".join(_limits(parameter) or parameter.choices)
+    return text + (f" ({limits})" if limits else "")
+
+
+def _limits(parameter: Parameter) -> list[str]:
+    named = ((">", parameter.above), ("≥", parameter.minimum), ("≤", parameter.maximum), ("<", parameter.below))
+    return [f"{sign} {limit:g}" for sign, limit in named if limit is not None]
+
+
+def _metavar(declaration: Declaration) -> str:
+    parameter = declaration.parameter
+    one = "WORD" if parameter.kind == "choice" else _METAVARS[parameter.unit]
+    return {"one": one, "both": f"{one} [{one}]", "each": f"{one} {one}"}[declaration.members]
+
+
+def _default(declaration: Declaration) -> str | bool:
+    if declaration.required or declaration.default is None:
+        return False
+    parameter = declaration.parameter
+    if parameter.kind == "choice":
+        return str(declaration.default)
+    return in_words(declaration.default, parameter.unit, "").rstrip()
+
+
+def _value(parameter: Parameter, words: Sequence[str]) -> Any:
+    values = [_one_value(parameter, word) for word in words]
+    return values[0] if len(values) == 1 else tuple(values)
+
+
+def _one_value(parameter: Parameter, word: str) -> Any:
+    """A word as the number it stands for; words that stand for none stay, for the element to refuse."""
+    if parameter.kind == "choice":
+        return word
+    try:
+        return int(word) if parameter.kind == "integer" else float(word)
+    except ValueError:
+        pass
+    try:
+        return float(word)
+    except ValueError:
+        return word

@@ -1,0 +1,50 @@
+"""Files that a command writes: polyhedra and pictures."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..elements.assembly import PlacedPart, draw_parts, save_parts
+from .built import Built
+from .common_options import Outputs
+
+
+def write(built: Built, outputs: Outputs) -> list[Path]:
+    """Writes the files asked for and gives their paths."""
+    if outputs.output is None and outputs.picture is None:
+        return []
+    parts = placed_parts(built, outputs.tolerance)
+    written = []
+    if outputs.output is not None:
+        written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
+    if outputs.picture is not None:
+        with progress("picture"):
+            draw_parts(parts, outputs.picture, built.title, built.units.length)
+        written.append(outputs.picture)
+    return written
+
+
+def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
+    """The parts as polyhedra, where they mesh."""
+    parts = []
+    for name, part in built.parts.items():
+        with progress(f"polyhedron of the {name}"):
+            polyhedron = part.gear.polyhedron(tolerance)
+        label = f"{name}\n{part.gear.description}"
+        parts.append(PlacedPart(name=name, label=label, polyhedron=polyhedron, placement=part.placement))
+    return parts
+
+
+@contextmanager
+def progress(doing: str) -> Iterator[None]:
+    """Says on a terminal's stderr what takes its time, and wipes it when done."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(doing + " …"):
+        yield
