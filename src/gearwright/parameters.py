@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass, field, fields
-from typing import Any, Literal, TypeVar
+from numbers import Integral, Real
+from typing import Any, Literal, TypeGuard, TypeVar
 
 from .errors import ParameterError, Problem
 
@@ -48,12 +49,12 @@ class Parameter:
         """Why this single value is not accepted; None where it is."""
         if self.kind == "choice":
             return None if value in self.choices else f"choose one of {', '.join(self.choices)}"
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            kind = "text" if isinstance(value, str) else type(value).__name__
+        if not _is_number(value):
+            kind = {"str": "text", "NoneType": "nothing"}.get(type(value).__name__, type(value).__name__)
             return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"
         if not math.isfinite(value):
             return "a finite number is needed"
-        if self.kind == "integer" and value != int(value):
+        if self.kind == "integer" and not isinstance(value, Integral):
             return "a whole number is needed"
         return self._limit_problem(float(value))
 
@@ -61,7 +62,7 @@ class Parameter:
         """Whether formulas make sense of this value, though it may be beyond a limit."""
         if self.kind == "choice":
             return value in self.choices
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        if not _is_number(value) or not math.isfinite(value):
             return False
         lowest = self.above if self.above is not None else 0.0 if self.minimum is not None else -math.inf
         inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest
@@ -106,6 +107,23 @@ class Declaration:
     def required(self) -> bool:
         return self.default is MISSING
 
+    def miscounted(self, value: object) -> str | None:
+        """Why there are too many or too few values; None where there are as many as there should be."""
+        several = isinstance(value, tuple | list)
+        if self.members == "one" and several:
+            return "one value is needed"
+        if self.members == "each" and not several:
+            return "two values are needed, pinion first"
+        if isinstance(value, tuple | list) and len(value) != 2:
+            return "give one value for each of the two members, pinion first"
+        return None
+
+    def computable(self, value: object) -> bool:
+        """Whether formulas make sense of what was given, or not given."""
+        if value is None:
+            return self.default is None
+        return self.miscounted(value) is None and all(self.parameter.computable(one) for one in _several(value))
+
 
 def declarations(element: type) -> tuple[Declaration, ...]:
     """The declared parameters of an element class, in order."""
@@ -122,7 +140,7 @@ def in_words(value: object, unit: Unit, length_unit: str) -> str:
         return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
     text = f"{value:.6g}" if isinstance(value, float) else str(value)
     suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in", "": ""}[unit]
-    return text + suffix if isinstance(value, int | float) else repr(value)
+    return text + suffix if isinstance(value, Real) else repr(value)
 
 
 class Problems:
@@ -140,17 +158,14 @@ class Problems:
         value = getattr(self._element, declaration.name)
         if value is None and declaration.default is None:
             return
-        several = isinstance(value, tuple | list)
-        if declaration.members == "one" and several:
-            return self.add(declaration.name, "one value is needed")
-        if declaration.members == "each" and not several:
-            return self.add(declaration.name, "two values are needed, pinion first")
-        if several and len(value) != 2:
-            return self.add(declaration.name, "give one value for each of the two members, pinion first")
-        problems = {declaration.parameter.problem(one) for one in (value if several else (value,))} - {None}
+        miscounted = declaration.miscounted(value)
+        if miscounted:
+            self.add(declaration.name, miscounted)
+            return
+        values = _several(value)
+        problems = {declaration.parameter.problem(one) for one in values}
         for problem in sorted(p for p in problems if p is not None):
-            self.add(declaration.name, problem + (" each" if several and problem.startswith("at ") else ""))
-        return None
+            self.add(declaration.name, problem + (" each" if len(values) > 1 and problem.startswith("at ") else ""))
 
     def add(self, name: str, message: str) -> None:
         """Adds a problem of the named parameter, shown with its value and unit."""
@@ -182,16 +197,12 @@ class Problems:
                 self._found.append(Problem(prefix + problem.subject, problem.message))
                 self._names.add(name)
 
-    def computable(self) -> bool:
-        """Whether every value given is a finite number of the right sign, or a word that is known.
+    def computable(self, *names: str) -> bool:
+        """Whether the named parameters, as far as given, are finite numbers of the right sign or known words.
 
         Limits may still be exceeded; what follows from the values can be computed and checked.
         """
-        return all(
-            value is None or declaration.parameter.computable(value)
-            for declaration in self._declared.values()
-            for value in _several(getattr(self._element, declaration.name))
-        )
+        return all(self._declared[name].computable(getattr(self._element, name)) for name in names)
 
     def sound(self, *names: str) -> bool:
         """Whether none of the named parameters (all, if none is named) has a problem yet."""
@@ -222,6 +233,11 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
     if found:
         raise ParameterError(element.__name__, found)
     return element(**{name: tuple(v) if isinstance(v, list) else v for name, v in values.items()})
+
+
+def _is_number(value: object) -> TypeGuard[float]:
+    """Whether a value is a real number, numpy's among them; True and False are not."""
+    return isinstance(value, Real) and not isinstance(value, bool)
 
 
 def _several(value: object) -> tuple[object, ...]:

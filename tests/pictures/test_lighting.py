@@ -26,10 +26,10 @@ def test_light_comes_mostly_from_above():
 
 
 def test_under_a_block_it_is_dark_and_beside_it_half_dark():
-    body = cube(side=0.8, middle=(0.0, 0.0, 0.41))
+    body = cube(side=0.8, middle=(0.0, 0.0, 0.44))
     under, beside, far = lit([[0, 0, 0], [0.44, 0, 0], [0.98, 0.0, 0.0]], [UP] * 3, body)
     shares = [light[:2].sum() / light[2:].sum() for light in (under, beside, far)]
-    assert shares[0] < 0.02
+    assert shares[0] < 0.05
     assert shares[0] < shares[1] < shares[2]
     assert 0.15 < shares[1] < 0.85
 

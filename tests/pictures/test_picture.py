@@ -30,11 +30,17 @@ def test_a_file_of_the_size_asked_for_is_written(tmp_path):
 def test_writing_stays_inside_the_picture(tmp_path):
     bodies = [block("First\n16 teeth"), block("Second\n20 teeth", middle=(1.4, 0.3, 0.0))]
     path = tmp_path / "named.png"
-    picture(bodies, path, title="A title much too long for such a picture " * 3, view=View(direction=(0.3, -1.0, 0.5)))
+    picture(
+        bodies,
+        path,
+        title="A title much too long for such a picture " * 3,
+        view=View(direction=(0.3, -1.0, 0.5)),
+        size=(800, 500),
+    )
     pixels = matplotlib.image.imread(path)[..., :3]
     border = np.concatenate([pixels[[0, -1]].reshape(-1, 3), pixels[:, [0, -1]].reshape(-1, 3)])
     assert border.min() > 0.9
-    assert pixels[:100, 1500:].min() < 0.5  # the title ends at the right margin, smaller
+    assert pixels[:60, 740:].min() < 0.5  # the title ends at the right margin, smaller
 
 
 def test_a_callout_takes_a_free_place_and_points_into_its_body():

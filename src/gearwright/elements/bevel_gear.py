@@ -25,6 +25,9 @@ from . import refusals
 from .bevel_tooth import BevelTooth
 from .element import Element, module_in, require_one_pitch
 
+_OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
+_OF_THE_BLANK = ("face_width", "addendum", "dedendum")
+
 
 @dataclass(frozen=True, kw_only=True)
 class BevelGear(Element):
@@ -63,7 +66,9 @@ class BevelGear(Element):
         self._check_cone(problems)
         if self.trace == "straight" and self.spiral_angle:
             problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
-        if problems.computable() and problems.sound("module", "pitch_angle", "shaft_angle"):
+        if problems.computable(*_OF_THE_CONE, *_OF_THE_BLANK) and problems.sound(
+            "module", "pitch_angle", "shaft_angle"
+        ):
             self._check_blank(problems)
         if problems.sound():
             self._check_tooth(problems)
@@ -76,7 +81,11 @@ class BevelGear(Element):
             )
         elif self.pitch_angle is not None and self.shaft_angle is not None:
             problems.add("shaft_angle", "goes with mate_teeth; a pitch angle alone settles the cone")
-        elif problems.computable() and problems.sound("module") and self.pitch_cone_angle > np.pi / 2.0 + 1e-12:
+        elif (
+            problems.computable(*_OF_THE_CONE)
+            and problems.sound("module")
+            and self.pitch_cone_angle > np.pi / 2.0 + 1e-12
+        ):
             problems.add("shaft_angle", refusals.internal_bevel(self.pitch_cone_angle))
 
     def _check_blank(self, problems: Problems) -> None:
@@ -90,7 +99,7 @@ class BevelGear(Element):
         if self.root_angle <= 0.0:
             limit = self.cone_distance * np.tan(self.pitch_cone_angle)
             problems.add("dedendum", f"the root cone would pass the axis; less than {limit:.4g} {unit}")
-        elif self.bore is not None and problems.sound("face_width"):
+        elif self.bore is not None and problems.sound("face_width", "bore"):
             limit = 2.0 * self.inner_distance * np.sin(self.root_angle)
             if self.bore >= limit:
                 problems.add(
@@ -100,6 +109,9 @@ class BevelGear(Element):
 
     def _check_tooth(self, problems: Problems) -> None:
         tooth, unit = self.tooth, self.length_unit
+        if tooth.thickness <= 0.0:
+            problems.add("backlash", refusals.no_tooth_left(2.0 * self._nominal_thickness, unit))
+            return
         if tooth.flank_start >= self.pitch_cone_angle:
             problems.add("pressure_angle", refusals.no_involute("cone"))
             return
@@ -115,8 +127,6 @@ class BevelGear(Element):
                 "circular_thickness",
                 refusals.meeting_teeth(limit, unit),
             )
-        if tooth.thickness <= 0.0:
-            problems.add("backlash", refusals.no_tooth_left(2.0 * self._nominal_thickness, unit))
 
     @cached_property
     def outer_module(self) -> float:

@@ -17,6 +17,9 @@ from .bevel_gear import BevelGear, pitch_cone_angle
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_one_pitch
 
+_OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
+_OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
+
 
 @dataclass(frozen=True, kw_only=True)
 class BevelPair:
@@ -54,7 +57,8 @@ class BevelPair:
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if self.trace == "straight" and self.spiral_angle:
             problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
-        if problems.computable() and self._check_cones(problems) and self._check_depths(problems):
+        computable = problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
+        if computable and self._check_cones(problems) and self._check_depths(problems):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
             problems.add_members(members, settled=("mate_teeth",))
         if problems.sound():

@@ -17,6 +17,8 @@ from . import refusals
 from .element import Element, module_in, require_one_pitch
 from .spur_tooth import SpurTooth
 
+_OF_THE_BLANK = ("teeth", "module", "diametral_pitch", "dedendum", "circular_thickness", "backlash", "length_unit")
+
 
 @dataclass(frozen=True, kw_only=True)
 class SpurGear(Element):
@@ -44,7 +46,7 @@ class SpurGear(Element):
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        if problems.computable() and problems.sound("module"):
+        if problems.computable(*_OF_THE_BLANK) and problems.sound("module"):
             self._check_blank(problems)
         if problems.sound():
             self._check_tooth(problems)
@@ -56,7 +58,7 @@ class SpurGear(Element):
             problems.add(
                 "dedendum", f"the root circle vanishes; less than the pitch radius, {self.pitch_radius:.4g} {unit}"
             )
-        elif self.bore is not None and self.bore >= 2.0 * self.root_radius:
+        elif self.bore is not None and problems.sound("bore") and self.bore >= 2.0 * self.root_radius:
             problems.add("bore", refusals.bore_in_roots(2.0 * self.root_radius, unit))
         if self.nominal_thickness <= self.backlash / 2.0:
             problems.add("backlash", refusals.no_tooth_left(2.0 * self.nominal_thickness, unit))
