@@ -54,7 +54,7 @@ class Parameter:
             return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"
         if not math.isfinite(value):
             return "a finite number is needed"
-        if self.kind == "integer" and not isinstance(value, Integral):
+        if self.kind == "integer" and not _is_whole(value):
             return "a whole number is needed"
         return self._limit_problem(float(value))
 
@@ -238,6 +238,10 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
 def _is_number(value: object) -> TypeGuard[float]:
     """Whether a value is a real number, numpy's among them; True and False are not."""
     return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _is_whole(value: object) -> bool:
+    return isinstance(value, Integral)
 
 
 def _several(value: object) -> tuple[object, ...]:

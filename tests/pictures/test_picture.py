@@ -40,7 +40,7 @@ def test_writing_stays_inside_the_picture(tmp_path):
     pixels = matplotlib.image.imread(path)[..., :3]
     border = np.concatenate([pixels[[0, -1]].reshape(-1, 3), pixels[:, [0, -1]].reshape(-1, 3)])
     assert border.min() > 0.9
-    assert pixels[:60, 740:].min() < 0.5  # the title ends at the right margin, smaller
+    assert pixels[:60, 700:].min() < 0.5  # the title ends at the right margin, smaller
 
 
 def test_a_callout_takes_a_free_place_and_points_into_its_body():

@@ -25,7 +25,7 @@ _LINE_COLOUR = np.array([0.055, 0.065, 0.08])
 _CREASE_INK = 0.5
 _SILHOUETTE_INK = 0.8
 _GROUND_GAP = 0.012
-_GROUND_STEP = 4
+_GROUND_STEP = 6
 _SHADOW = 0.62
 _FAINTEST = 0.02
 _FINE_PIXELS = 2_600_000
@@ -74,7 +74,10 @@ def image(
         starts = np.searchsorted(pixel, np.arange(width * height + 1))
         light = settled(lit[: len(points)], points, normals, places, starts, width, 1.0 / camera.pixels)
         ground_light = lit[len(points) :].reshape(*ground.shape[:-1], 4)
-        colour = metal(normals, _towards_eye(points, camera), light, linear(colours)[places[:, 2]], camera.up)
+        base, towards = linear(colours)[places[:, 2]], _towards_eye(points, camera)
+        shares = [slice(first, stop) for first, stop in _bands(len(points))]
+        shaded = pool.map(lambda one: metal(normals[one], towards[one], light[one], base[one], camera.up), shares)
+        colour = np.concatenate(list(shaded))
         canvas = linear(background) * _kept(ground_light, size)[..., None]
         lines = _lines(pool, bands, model, depth, owner, fineness)
     canvas = canvas * (1.0 - np.bincount(pixel, values[:, 6], width * height)).reshape(height, width, 1)
@@ -186,7 +189,7 @@ def _kept(light: Array, size: tuple[int, int]) -> Array:
     if not light.size:
         return np.ones(size[::-1])
     kept = 1.0 - _SHADOW * (1.0 - (light[..., 0] + light[..., 1]) / (light[..., 2] + light[..., 3]))
-    sharp, soft = (gaussian_filter(kept, blur, mode="nearest") for blur in (2.0, 9.0))
+    sharp, soft = (gaussian_filter(kept, blur, mode="nearest") for blur in (1.5, 6.0))
     # faint shadows are thrown from far off: there the single lamps would show as clouds
     near = np.clip((1.0 - soft) / 0.3, 0.0, 1.0)
     dark = 1.0 - sharp * near - soft * (1.0 - near)
