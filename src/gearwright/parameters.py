@@ -144,7 +144,11 @@ def in_words(value: object, unit: Unit, length_unit: str) -> str:
 
 
 class Problems:
-    """Collects what is wrong with one element's parameters, to raise it all together."""
+    """Collects what is wrong with one element's parameters, to raise it all together.
+
+    First it makes the element's values plain: lists become tuples, numpy's numbers become Python's, whose
+    arithmetic is always in double precision.
+    """
 
     def __init__(self, element: Any):
         self._element = element
@@ -152,6 +156,7 @@ class Problems:
         self._found: list[Problem] = []
         self._names: set[str] = set()
         for declaration in self._declared.values():
+            object.__setattr__(element, declaration.name, _plain(getattr(element, declaration.name)))
             self._check_values(declaration)
 
     def _check_values(self, declaration: Declaration) -> None:
@@ -238,6 +243,14 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
 def _is_number(value: object) -> TypeGuard[float]:
     """Whether a value is a real number, numpy's among them; True and False are not."""
     return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, tuple | list):
+        return tuple(_plain(one) for one in value)
+    if not _is_number(value):
+        return value
+    return int(value) if _is_whole(value) else float(value)
 
 
 def _is_whole(value: object) -> bool:

@@ -3,7 +3,8 @@ import pytest
 from scipy.ndimage import binary_dilation, binary_erosion
 
 from gearwright.pictures.camera import View, camera
-from gearwright.pictures.image import gamma, image, linear
+from gearwright.pictures.colours import gamma, linear
+from gearwright.pictures.image import image
 
 from .shapes import cube, sphere
 

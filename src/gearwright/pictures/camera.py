@@ -92,6 +92,12 @@ def camera(points: Array, view: View, frame: tuple[float, float, float, float]) 
     )  # fmt: skip
 
 
+def towards_eye(points: Array, camera: Camera) -> Array:
+    """Unit vectors (s, 3) from seen points to the eye."""
+    towards = np.array([0.0, 0.0, 1.0]) - camera.perspective * points
+    return np.asarray(towards / np.linalg.norm(towards, axis=-1, keepdims=True))
+
+
 def _rotation(view: View) -> Array:
     """Rows right, up, towards the eye; where up is the viewing direction itself, +y or +x is up in the picture."""
     towards = np.asarray(view.direction, dtype=float)

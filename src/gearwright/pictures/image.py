@@ -1,43 +1,64 @@
-"""Bodies to a shaded image: z-buffer, light, lines and the ground's shadow put together, in bands on all processors."""
+"""Bodies to a shaded image: z-buffer, light, lines and the ground's shadow put together, on all processors."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter
 
 from ..arrays import Array, Indices
-from .camera import Camera
+from .camera import Camera, towards_eye
+from .colours import gamma, linear, toned
 from .facets import Facets, facets
+from .ground import ground_points, kept_light
 from .lighting import Lamps, illumination, metal, settled, studio
 from .renderer import CREASE_LINE, SILHOUETTE, collect, ink, rasterise
-
-T = TypeVar("T")
 
 _LINE_COLOUR = np.array([0.055, 0.065, 0.08])
 _CREASE_INK = 0.5
 _SILHOUETTE_INK = 0.8
-_GROUND_GAP = 0.012
-_GROUND_STEP = 6
-_SHADOW = 0.62
-_FAINTEST = 0.02
 _FINE_PIXELS = 2_600_000
 """Pictures of more pixels take 2 × 2 sub-pixels instead of 3 × 3, to stay within some hundred megabytes."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Image:
-    """colours (h, w, 3) sRGB 0…1;  owners (h, w) the body seen in most of each pixel, −1 the background."""
+    """colours (h, w, 3) sRGB 0…1;  owners (h, w) the body seen at the middle of each pixel, −1 the background."""
 
     colours: Array
     owners: NDArray[np.int16]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Visible:
+    """What the camera sees in fineness × fineness sub-pixels a pixel.
+
+    seen    (n, 3)  vertices in seen coordinates
+    model           facets on the screen, in sub-pixels; normals along the seen axes
+    depth, owner    nearness and triangle of each sub-pixel
+    """
+
+    camera: Camera
+    fineness: int
+    seen: Array
+    model: Facets
+    depth: NDArray[np.float32]
+    owner: NDArray[np.int32]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Samples:
+    """Surfaces in pixels, in reading order: seen points and normals (s, 3), shares (s,), row, column, body (s, 3)."""
+
+    points: Array
+    normals: Array
+    shares: Array
+    places: Indices
 
 
 def image(
@@ -48,63 +69,111 @@ def image(
     colours (b, 3) of the bodies and background (3,) are sRGB; size is (width, height) in pixels. The ground under the
     bodies is drawn only where their shadow falls.
     """
+    with ThreadPoolExecutor(_workers()) as pool:
+        visible = _visible(pool, facets(bodies), camera, size)
+        samples = _samples(pool, visible)
+        ground = ground_points(camera, visible.seen, size)
+        light, ground_light = _light(pool, visible, samples, ground)
+        surface = _surface_colours(pool, samples, light, linear(colours), camera)
+        lines = _lines(pool, visible)
+    canvas = linear(background) * kept_light(ground_light, size)[..., None]
+    canvas = _composed(canvas, surface, samples)
+    canvas = canvas * (1.0 - lines[..., None]) + linear(_LINE_COLOUR) * lines[..., None]
+    middle = slice(visible.fineness // 2, None, visible.fineness)
+    members = np.append(visible.model.members, -1)  # the background's owner is −1
+    return Image(colours=gamma(canvas), owners=members[visible.owner[middle, middle]].astype(np.int16))
+
+
+def _visible(pool: ThreadPoolExecutor, model: Facets, camera: Camera, size: tuple[int, int]) -> _Visible:
     width, height = size
     fineness = 3 if width * height <= _FINE_PIXELS else 2
-    model = facets(bodies)
     seen = camera.seen(model.vertices)
     fine = replace(camera, pixels=camera.pixels * fineness, origin=camera.origin * fineness)
     model = replace(model, vertices=fine.screen(seen), normals=model.normals @ camera.rotation.T)
     depth = np.full((height * fineness, width * fineness), -np.inf, np.float32)
     owner = np.full(depth.shape, -1, np.int32)
-    bands = _bands(height)
-    with ThreadPoolExecutor(_workers()) as pool:
-        _in_bands(pool, bands, lambda first, stop: rasterise(
-            model.vertices, model.triangles, depth, owner, first * fineness, stop * fineness))  # fmt: skip
-        lamps = studio(camera.up)
-        values, places = _samples(pool, bands, model, depth, owner, fineness)
-        points, normals = fine.unscreen(values[:, :3]), np.ascontiguousarray(values[:, 3:6])
-        ground = _ground_points(camera, seen, size)
-        lit = _lit(
-            pool, np.concatenate([points, ground.reshape(-1, 3)]),
-            np.concatenate([normals, np.broadcast_to(camera.up, (ground.size // 3, 3))]),
-            np.concatenate([places[:, :2], np.indices(ground.shape[:2]).reshape(2, -1).T]),
-            seen, model.triangles, lamps,
+
+    def band(rows: tuple[int, int]) -> None:
+        rasterise(model.vertices, model.triangles, depth, owner, *rows)
+
+    list(pool.map(band, _bands(height * fineness)))
+    return _Visible(camera=fine, fineness=fineness, seen=seen, model=model, depth=depth, owner=owner)
+
+
+def _samples(pool: ThreadPoolExecutor, visible: _Visible) -> _Samples:
+    model, depth, owner, fineness = visible.model, visible.depth, visible.owner, visible.fineness
+
+    def band(rows: tuple[int, int]) -> tuple[Array, Indices]:
+        return collect(
+            model.vertices, model.triangles, model.normals, model.members, depth, owner, fineness, *rows
         )  # fmt: skip
-        pixel = places[:, 0] * width + places[:, 1]
-        starts = np.searchsorted(pixel, np.arange(width * height + 1))
-        light = settled(lit[: len(points)], points, normals, places, starts, width, 1.0 / camera.pixels)
-        ground_light = lit[len(points) :].reshape(*ground.shape[:-1], 4)
-        base, towards = linear(colours)[places[:, 2]], _towards_eye(points, camera)
-        shares = [slice(first, stop) for first, stop in _bands(len(points))]
-        shaded = pool.map(lambda one: metal(normals[one], towards[one], light[one], base[one], camera.up), shares)
-        colour = np.concatenate(list(shaded))
-        canvas = linear(background) * _kept(ground_light, size)[..., None]
-        lines = _lines(pool, bands, model, depth, owner, fineness)
-    canvas = canvas * (1.0 - np.bincount(pixel, values[:, 6], width * height)).reshape(height, width, 1)
-    for channel in range(3):
-        weights = values[:, 6] * _toned(colour[:, channel])
-        canvas[..., channel] += np.bincount(pixel, weights, width * height).reshape(height, width)
-    canvas = canvas * (1.0 - lines[..., None]) + linear(_LINE_COLOUR) * lines[..., None]
-    middle = owner[fineness // 2 :: fineness, fineness // 2 :: fineness]
-    owners = np.where(middle >= 0, model.members[middle] if len(model.members) else -1, -1).astype(np.int16)
-    return Image(colours=gamma(canvas), owners=owners)
+
+    made = list(pool.map(band, _bands(len(owner) // fineness)))
+    values, places = (np.concatenate(parts) for parts in zip(*made, strict=True))
+    return _Samples(
+        points=visible.camera.unscreen(values[:, :3]),
+        normals=np.ascontiguousarray(values[:, 3:6]),
+        shares=values[:, 6],
+        places=places,
+    )
 
 
-def linear(colours: Array) -> Array:
-    """Light intensities of sRGB values 0…1 (IEC 61966-2-1)."""
-    return np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
+def _lines(pool: ThreadPoolExecutor, visible: _Visible) -> Array:
+    """How much of each pixel lines cover, (h, w), 0…1."""
+    model, depth, owner, fineness = visible.model, visible.depth, visible.owner, visible.fineness
+    strength = np.zeros(256)
+    strength[CREASE_LINE], strength[SILHOUETTE] = _CREASE_INK, _SILHOUETTE_INK
+
+    def band(rows: tuple[int, int]) -> Array:
+        first, stop = rows[0] * fineness, rows[1] * fineness
+        marks = ink(model.vertices, model.triangles, model.normals, model.members, depth, owner, first, stop)
+        return strength[marks].reshape(rows[1] - rows[0], fineness, -1, fineness).mean(axis=(1, 3))
+
+    return np.concatenate(list(pool.map(band, _bands(len(owner) // fineness))))
 
 
-def gamma(intensities: Array) -> Array:
-    """sRGB values 0…1 of light intensities: the inverse of linear."""
-    clipped = np.clip(intensities, 0.0, 1.0)
-    return np.where(clipped <= 0.0031308, clipped * 12.92, 1.055 * clipped ** (1 / 2.4) - 0.055)
+def _light(pool: ThreadPoolExecutor, visible: _Visible, samples: _Samples, ground: Array) -> tuple[Array, Array]:
+    """Illumination of the samples (s, 4) and of the ground (h', w', 4), the lamps shared among the processors."""
+    up, pixel = visible.camera.up, visible.fineness / visible.camera.pixels
+    points = np.concatenate([samples.points, ground.reshape(-1, 3)])
+    normals = np.concatenate([samples.normals, np.broadcast_to(up, (ground.size // 3, 3))])
+    places = np.concatenate([samples.places[:, :2], np.indices(ground.shape[:2]).reshape(2, -1).T])
+    lamps = studio(up)
+
+    def part(one: slice) -> Array:
+        share = Lamps(directions=lamps.directions[one], strengths=lamps.strengths[one], kinds=lamps.kinds[one])
+        return illumination(points, normals, places, visible.seen, visible.model.triangles, share)
+
+    parts = pool.map(part, [slice(first, None, _workers()) for first in range(_workers())])
+    light = np.sum(list(parts), axis=0)
+    height, width = (side // visible.fineness for side in visible.owner.shape)
+    starts = np.searchsorted(samples.places[:, 0] * width + samples.places[:, 1], np.arange(width * height + 1))
+    count = len(samples.points)
+    smooth = settled(light[:count], samples.points, samples.normals, samples.places, starts, width, pixel)
+    return smooth, light[count:].reshape(*ground.shape[:-1], 4)
 
 
-def _toned(intensities: Array) -> Array:
-    """Intensities with highlights above 0.7 rolled off smoothly, so that nothing burns out to flat white."""
-    over = np.maximum(intensities - 0.7, 0.0)
-    return np.asarray(np.minimum(intensities, 0.7) + 0.3 * (1.0 - np.exp(-over / 0.3)))
+def _surface_colours(
+    pool: ThreadPoolExecutor, samples: _Samples, light: Array, intensities: Array, camera: Camera
+) -> Array:
+    """Colours (s, 3) of the samples, linear, of bodies of these intensities (b, 3)."""
+    towards = towards_eye(samples.points, camera)
+
+    def part(bounds: tuple[int, int]) -> Array:
+        one = slice(*bounds)
+        base = intensities[samples.places[one, 2]]
+        return toned(metal(samples.normals[one], towards[one], light[one], base, camera.up))
+
+    return np.concatenate(list(pool.map(part, _bands(len(light)))))
+
+
+def _composed(canvas: Array, surface: Array, samples: _Samples) -> Array:
+    """The canvas (h, w, 3) covered by the samples' colours (s, 3), each by its share of the pixel."""
+    height, width = canvas.shape[:2]
+    pixel = samples.places[:, 0] * width + samples.places[:, 1]
+    layers = [np.bincount(pixel, samples.shares * surface[:, channel], width * height) for channel in range(3)]
+    covered = np.bincount(pixel, samples.shares, width * height)
+    return canvas * (1.0 - covered).reshape(height, width, 1) + np.stack(layers, axis=-1).reshape(canvas.shape)
 
 
 def _workers() -> int:
@@ -112,95 +181,6 @@ def _workers() -> int:
 
 
 def _bands(height: int) -> list[tuple[int, int]]:
+    """First and stop of so many rows in bands, several for each processor; one empty band of none."""
     edges = np.linspace(0, height, 4 * _workers() + 1).astype(int)
-    return [(int(first), int(stop)) for first, stop in pairwise(edges) if first < stop]
-
-
-def _in_bands(pool: ThreadPoolExecutor, bands: list[tuple[int, int]], work: Callable[[int, int], T]) -> list[T]:
-    return list(pool.map(lambda band: work(*band), bands))
-
-
-def _samples(
-    pool: ThreadPoolExecutor, bands: list[tuple[int, int]], model: Facets,
-    depth: NDArray[np.float32], owner: NDArray[np.int32], fineness: int,
-) -> tuple[Array, Indices]:  # fmt: skip
-    made = _in_bands(pool, bands, lambda first, stop: collect(
-        model.vertices, model.triangles, model.normals, model.members, depth, owner, fineness, first, stop
-    ))  # fmt: skip
-    return np.concatenate([values for values, _ in made]), np.concatenate([places for _, places in made])
-
-
-def _lines(
-    pool: ThreadPoolExecutor, bands: list[tuple[int, int]], model: Facets,
-    depth: NDArray[np.float32], owner: NDArray[np.int32], fineness: int,
-) -> Array:  # fmt: skip
-    """How much of each pixel lines cover, (h, w), 0…1."""
-    strength = np.zeros(256)
-    strength[CREASE_LINE], strength[SILHOUETTE] = _CREASE_INK, _SILHOUETTE_INK
-    width = owner.shape[1] // fineness
-
-    def band(first: int, stop: int) -> Array:
-        rows = first * fineness, stop * fineness
-        marks = ink(model.vertices, model.triangles, model.normals, model.members, depth, owner, *rows)
-        return strength[marks].reshape(stop - first, fineness, width, fineness).mean(axis=(1, 3))
-
-    return np.concatenate(_in_bands(pool, bands, band))
-
-
-def _lit(
-    pool: ThreadPoolExecutor, points: Array, normals: Array, places: Indices,
-    seen: Array, triangles: Indices, lamps: Lamps,
-) -> Array:  # fmt: skip
-    """Illumination (s, 4), the lamps shared among the processors."""
-    parts = [
-        Lamps(directions=lamps.directions[k::n], strengths=lamps.strengths[k::n], kinds=lamps.kinds[k::n])
-        for n in [_workers()]
-        for k in range(n)
-    ]
-    return np.asarray(sum(pool.map(lambda part: illumination(points, normals, places, seen, triangles, part), parts)))
-
-
-def _towards_eye(points: Array, camera: Camera) -> Array:
-    """Unit vectors (s, 3) from seen points to the eye."""
-    towards = np.array([0.0, 0.0, 1.0]) - camera.perspective * points
-    return np.asarray(towards / np.linalg.norm(towards, axis=-1, keepdims=True))
-
-
-def _ground_points(camera: Camera, seen: Array, size: tuple[int, int]) -> Array:
-    """Points of the ground just under the bodies, seen coordinates, every few pixels, (h', w', 3).
-
-    None, (0, 0, 3), where the eye is not clearly above the ground.
-    """
-    width, height = size
-    level = float((seen @ camera.up).min()) - _GROUND_GAP
-    columns, rows = (np.arange(0, n + 2 * _GROUND_STEP, _GROUND_STEP) for n in (width, height))
-    screen = np.zeros((len(rows), len(columns), 3))
-    screen[..., 0], screen[..., 1] = columns + 0.5, rows[:, None] + 0.5
-    start = camera.unscreen(screen)
-    towards = _towards_eye(start, camera)
-    rise = towards @ camera.up
-    if rise.min() < 0.02:
-        return np.empty((0, 0, 3))
-    return np.asarray(start + towards * ((level - start @ camera.up) / rise)[..., None])
-
-
-def _kept(light: Array, size: tuple[int, int]) -> Array:
-    """Share of its light that the ground keeps, (h, w), from illumination every few pixels (h', w', 4), smoothed."""
-    if not light.size:
-        return np.ones(size[::-1])
-    kept = 1.0 - _SHADOW * (1.0 - (light[..., 0] + light[..., 1]) / (light[..., 2] + light[..., 3]))
-    sharp, soft = (gaussian_filter(kept, blur, mode="nearest") for blur in (1.5, 6.0))
-    # faint shadows are thrown from far off: there the single lamps would show as clouds
-    near = np.clip((1.0 - soft) / 0.3, 0.0, 1.0)
-    dark = 1.0 - sharp * near - soft * (1.0 - near)
-    return 1.0 - _enlarged(np.maximum(dark - _FAINTEST, 0.0), size)
-
-
-def _enlarged(coarse: Array, size: tuple[int, int]) -> Array:
-    """Values between samples every few pixels, bilinear, (h, w)."""
-    width, height = size
-    row, down = np.divmod(np.arange(height), _GROUND_STEP)
-    column, right = np.divmod(np.arange(width), _GROUND_STEP)
-    down, right = (down / _GROUND_STEP)[:, None], right / _GROUND_STEP
-    tall = coarse[row] * (1.0 - down) + coarse[row + 1] * down
-    return np.asarray(tall[:, column] * (1.0 - right) + tall[:, column + 1] * right)
+    return [(int(first), int(stop)) for first, stop in pairwise(edges) if first < stop] or [(0, 0)]

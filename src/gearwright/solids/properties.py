@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
@@ -54,7 +54,7 @@ class MassProperties:
     centroid: Array
     central_second: Array
     density: float = 1.0
-    extent: Callable[[], Extent] = Extent
+    extent: Callable[[], Extent] = field(default=Extent, repr=False)
     method: Method = "exact"
     error_bound: float = 0.0
 
