@@ -246,6 +246,8 @@ def _is_number(value: object) -> TypeGuard[float]:
 
 
 def _plain(value: object) -> object:
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, tuple | list):
         return tuple(_plain(one) for one in value)
     if not _is_number(value):
