@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 from gearwright.errors import GeometryError, ParameterError
 from gearwright.moments.body import BodyMoments
 from gearwright.moments.matrix import moment_matrix, shifted
+from gearwright.solids.extent import Extent
 from gearwright.solids.polyhedron import Polyhedron
-from gearwright.solids.properties import Extent, MassProperties
+from gearwright.solids.properties import MassProperties
 
 FACES = [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
 

@@ -14,7 +14,8 @@ from ..errors import FileError, GeometryError, Problem
 from ..files import stl
 from ..moments.faces import corner_lists, face_vectors, fan_triangles, triangle_vectors
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
-from .properties import Extent, MassProperties
+from .extent import Extent
+from .properties import MassProperties
 from .validity import PolyhedronValidity, examine
 
 _SUFFIXES = (".stl",)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, ParameterError, Problem
 from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
+from .extent import Extent
 from .principal import principal_axes
 
 _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
@@ -21,13 +22,6 @@ _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
 
 _RIGID = 1e-9
 """How far R Rᵀ may be from 1 for R to count as a rotation."""
-
-
-class Extent(NamedTuple):
-    """Surface area and bounding box (2, 3), lowest and highest coordinates; None where unknown."""
-
-    area: float | None = None
-    bounding_box: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -248,25 +242,15 @@ class MassProperties:
 
 
 def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:
-    """The box follows from the body's where the rotation only exchanges axes."""
-    box = body.bounding_box
-    exchanges = box is not None and np.all(np.isin(np.abs(rotation), (0.0, 1.0)))
-    return Extent(body.area, np.sort(box @ rotation.T + shift, axis=0) if box is not None and exchanges else None)
+    return body._extent.moved(rotation, shift)
 
 
-def _joint_extent(a: MassProperties, b: MassProperties) -> Extent:
-    """The area is unknown: bodies may touch."""
-    if a.bounding_box is None or b.bounding_box is None:
-        return Extent()
-    low, high = zip(a.bounding_box, b.bounding_box, strict=True)
-    return Extent(None, np.stack([np.min(low, axis=0), np.max(high, axis=0)]))
+def _joint_extent(one: MassProperties, other: MassProperties) -> Extent:
+    return one._extent.joined(other._extent)
 
 
 def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
-    """The box stays where the part lies inside it."""
-    box, inner = whole.bounding_box, part.bounding_box
-    keeps = box is not None and inner is not None and np.all(inner[0] > box[0]) and np.all(inner[1] < box[1])
-    return Extent(None, box if keeps else None)
+    return whole._extent.without(part._extent)
 
 
 def _fixed(values: ArrayLike, shape: tuple[int, ...]) -> Array:

@@ -15,8 +15,9 @@ from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.boundary_integral import converged
+from .extent import Extent
 from .polyhedron import Polyhedron
-from .properties import Extent, MassProperties
+from .properties import MassProperties
 
 DEFAULT_TOLERANCE = 1e-4
 """Chord tolerance of a polyhedron, relative to the diagonal of the bounding box."""
