@@ -66,7 +66,9 @@ def test_cuboid_away_from_the_origin_by_hand():
 def test_from_moments_about_a_point():
     matrix = moment_matrix(6.0, np.zeros(3), np.diag([0.5, 2.0, 4.5]))
     moments = BodyMoments(origin=np.ones(3), matrix=shifted(matrix, [0.1, 0, 0]), method="quadrature", error_bound=1e-9)
-    body = MassProperties.from_moments(moments, density=2, extent=lambda: Extent(22, np.array([[0, 0, 0], [1, 2, 3]])))
+    body = MassProperties.from_moments(
+        moments, density=2, find_extent=lambda: Extent(22, np.array([[0, 0, 0], [1, 2, 3]]))
+    )
     assert_same(body, cuboid(1, 2, 3, (1.1, 1, 1), density=2))
     assert (body.method, body.error_bound, body.area) == ("quadrature", 1e-9, 22)
 

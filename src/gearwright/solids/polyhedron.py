@@ -112,7 +112,7 @@ class Polyhedron:
                 ],
             )
         extent = partial(Extent, moments.area, moments.bounding_box)
-        return MassProperties.from_moments(moments.body, density=density, extent=extent)
+        return MassProperties.from_moments(moments.body, density=density, find_extent=extent)
 
     def transformed(self, matrix: ArrayLike) -> Polyhedron:
         """The body mapped by a homogeneous matrix (4, 4), r → A r + t; mirrored faces are turned again.

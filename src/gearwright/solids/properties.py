@@ -32,7 +32,7 @@ class MassProperties:
     centroid        (3,) centre of mass
     central_second  (3, 3) ∫ r rᵀ dV about the centroid, geometric (not times the density)
     density         mass per cubed length unit; of bodies joined together, the mean density
-    extent          gives area and bounding box when they are first asked for: on a smooth boundary they cost
+    find_extent     gives area and bounding box when they are first asked for: on a smooth boundary they cost
                     more than all the rest
     method          how they were found: "exact", "quadrature" or "polyhedron"
     error_bound     bound on the relative error of V and, norm-wise, of the central second moment
@@ -48,7 +48,7 @@ class MassProperties:
     centroid: Array
     central_second: Array
     density: float = 1.0
-    extent: Callable[[], Extent] = field(default=Extent, repr=False)
+    find_extent: Callable[[], Extent] = field(default=Extent, repr=False)
     method: Method = "exact"
     error_bound: float = 0.0
 
@@ -66,7 +66,7 @@ class MassProperties:
 
     @classmethod
     def from_moments(
-        cls, moments: BodyMoments, *, density: float = 1.0, extent: Callable[[], Extent] = Extent
+        cls, moments: BodyMoments, *, density: float = 1.0, find_extent: Callable[[], Extent] = Extent
     ) -> MassProperties:
         """From moments about a point near the centroid."""
         return cls(
@@ -74,24 +74,25 @@ class MassProperties:
             centroid=moments.centroid,
             central_second=moments.central_second,
             density=density,
-            extent=extent,
+            find_extent=find_extent,
             method=moments.method,
             error_bound=moments.error_bound,
         )
 
     @cached_property
-    def _extent(self) -> Extent:
-        return self.extent()
+    def extent(self) -> Extent:
+        """Area and bounding box, found once."""
+        return self.find_extent()
 
     @property
     def area(self) -> float | None:
         """Surface area, None where unknown."""
-        return self._extent.area
+        return self.extent.area
 
     @property
     def bounding_box(self) -> Array | None:
         """Lowest and highest coordinates (2, 3), None where unknown."""
-        return self._extent.bounding_box
+        return self.extent.bounding_box
 
     @property
     def mass(self) -> float:
@@ -160,7 +161,7 @@ class MassProperties:
             self,
             centroid=matrix @ self.centroid + shift,
             central_second=matrix @ self.central_second @ matrix.T,
-            extent=partial(_moved_extent, self, matrix, shift),
+            find_extent=partial(_moved_extent, self, matrix, shift),
         )
 
     def __add__(self, other: MassProperties) -> MassProperties:
@@ -188,7 +189,7 @@ class MassProperties:
             )
         return self._combined(other, -1.0, partial(_remaining_extent, self, other))
 
-    def _combined(self, other: MassProperties, sign: float, extent: Callable[[], Extent]) -> MassProperties:
+    def _combined(self, other: MassProperties, sign: float, find_extent: Callable[[], Extent]) -> MassProperties:
         volume = self.volume + sign * other.volume
         mass = self.mass + sign * other.mass
         like = self.density == other.density
@@ -202,7 +203,7 @@ class MassProperties:
             centroid=self.centroid + (sign * other.mass / mass) * arm,
             central_second=second,
             density=density,
-            extent=extent,
+            find_extent=find_extent,
             method=max(self.method, other.method, key=_METHODS.index),
             error_bound=_combined_error(self, other, volume, second),
         )
@@ -242,15 +243,15 @@ class MassProperties:
 
 
 def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:
-    return body._extent.moved(rotation, shift)
+    return body.extent.moved(rotation, shift)
 
 
 def _joint_extent(one: MassProperties, other: MassProperties) -> Extent:
-    return one._extent.joined(other._extent)
+    return one.extent.joined(other.extent)
 
 
 def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
-    return whole._extent.without(part._extent)
+    return whole.extent.without(part.extent)
 
 
 def _fixed(values: ArrayLike, shape: tuple[int, ...]) -> Array:

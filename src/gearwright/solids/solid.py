@@ -38,7 +38,7 @@ class Solid(ABC):
 
     def properties(self, density: float = 1.0) -> MassProperties:
         """Volume, centroid and inertia; density in mass per cubed length unit."""
-        return MassProperties.from_moments(self.moments, density=density, extent=partial(_extent, self))
+        return MassProperties.from_moments(self.moments, density=density, find_extent=partial(_extent, self))
 
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
         """A watertight polyhedron with every chord within the tolerance (length) of the solid's surface.
