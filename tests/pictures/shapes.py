@@ -34,3 +34,14 @@ def cone(apex, base, radius, sides=64, rings=8):
     rim = np.asarray(base) + radius * (np.cos(turn) * across + np.sin(turn) * np.cross(axis, across))
     share = np.linspace(0.2, 1.0, rings + 1)[:, None, None]
     return (np.asarray(apex) + share * (rim - apex)).reshape(-1, 3), grid(rings, sides)
+
+
+def crown():
+    """Teeth that face -z, narrow end at z = 2, and a dome behind them of much more surface, towards +z."""
+    radius, height, depth = np.array(
+        [(1.0, 2.4, 0), (1.9, 2, 0.2), (3, 3, 0.3), (2.8, 3.6, 0), (2.2, 4.2, 0), (1.5, 4.6, 0), (0.5, 4.8, 0)]
+    ).T[:, :, None]
+    turn = np.linspace(0.0, 2.0 * np.pi, 160, endpoint=False)
+    widths = radius + depth * np.sign(np.sin(20.0 * turn + 0.1))
+    points = np.stack([widths * np.cos(turn), widths * np.sin(turn), height * np.ones_like(turn)], axis=-1)
+    return points.reshape(-1, 3), grid(6, 160)

@@ -3,7 +3,7 @@ import pytest
 
 from gearwright.pictures.camera import View, camera, suitable_view
 
-from .shapes import cone, cube, sphere
+from .shapes import cone, crown, cube, sphere
 
 FRAME = (100.0, 50.0, 700.0, 450.0)
 
@@ -62,6 +62,12 @@ def test_of_two_cones_that_share_an_apex_the_larger_lies_and_both_are_seen_from_
 def test_a_single_cone_is_seen_with_its_apex_up():
     view = suitable_view([cone((1.0, 1.0, 1.0), (1.0, 1.0, 3.0), 2.5)])
     assert view.up == pytest.approx((0.0, 0.0, -1.0), abs=1e-6)
+
+
+def test_a_single_toothed_body_lies_with_its_teeth_up():
+    vertices, triangles = crown()
+    assert suitable_view([(vertices, triangles)]).up == pytest.approx((0.0, 0.0, -1.0), abs=1e-3)
+    assert suitable_view([(-vertices, triangles)]).up == pytest.approx((0.0, 0.0, 1.0), abs=1e-3)
 
 
 def test_a_body_that_is_not_round_is_seen_from_above():

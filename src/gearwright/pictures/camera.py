@@ -161,7 +161,8 @@ def _shape(vertices: Array, triangles: Indices) -> _Shape:
     """A body's axis from its surface: where two principal second moments agree, the third axis; else +z."""
     corners = vertices[triangles]
     points = corners.mean(axis=1)
-    weights = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=-1)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    weights = np.linalg.norm(normals, axis=-1)
     weights = weights / (float(weights.sum()) or 1.0)
     middle = weights @ points
     points = points - middle
@@ -171,17 +172,24 @@ def _shape(vertices: Array, triangles: Indices) -> _Shape:
     if min(low, high) > 0.02 * second[2]:
         return _Shape(middle=middle, axis=np.array([0.0, 0.0, 1.0]), is_round=False, size=size)
     axis = axes[:, 2] if low < high else axes[:, 0]
-    return _Shape(middle=middle, axis=axis * _up_sign(points, weights, axis), is_round=True, size=size)
+    return _Shape(middle=middle, axis=axis * _up_sign(points, normals, axis), is_round=True, size=size)
 
 
-def _up_sign(points: Array, weights: Array, axis: Array) -> float:
+def _up_sign(points: Array, normals: Array, axis: Array) -> float:
     """Which way along its axis a round body's teeth face: +1 or −1; that of the larger component if neither.
 
-    Teeth are the outermost part, and those that face one way are wider at the other: width correlates with height.
+    points (t, 3) from the middle, normals (t, 3) of twice the faces' areas. Teeth that face one way are wider at the
+    other: width correlates with height. Surfaces of revolution have no normal component around the axis, flanks have;
+    only they count, unless there are none.
     """
     along = points @ axis
-    widths = np.sqrt(np.maximum(np.sum(points**2, axis=-1) - along**2, 0.0))
-    weights = np.where(widths > 0.7 * widths.max(), weights, 0.0)
+    outward = points - along[:, None] * axis
+    widths = np.linalg.norm(outward, axis=-1)
+    around = np.abs(np.sum(normals * np.cross(axis, outward), axis=-1)) / np.maximum(
+        widths, 1e-12 + 1e-9 * widths.max()
+    )
+    areas = np.linalg.norm(normals, axis=-1)
+    weights = around if around.sum() > 0.02 * areas.sum() else areas
     weights = weights / (float(weights.sum()) or 1.0)
     along, widths = along - weights @ along, widths - weights @ widths
     scale = float(np.sqrt((weights @ along**2) * (weights @ widths**2))) or 1.0

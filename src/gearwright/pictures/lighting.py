@@ -112,8 +112,9 @@ def _illuminate(
         px = points[s, 0] + lift * normals[s, 0]
         py = points[s, 1] + lift * normals[s, 1]
         pz = points[s, 2] + lift * normals[s, 2]
-        aside = 0.5 * size - 0.5 + _BLUR * (places[s, 1] % 5 - 2)
-        below = 0.5 * size - 0.5 + _BLUR * (places[s, 0] % 5 - 2)
+        # all 25 looks in any 5 × 5 places, and varied ones along any row, column or diagonal
+        aside = 0.5 * size - 0.5 + _BLUR * ((places[s, 0] + 2 * places[s, 1]) % 5 - 2)
+        below = 0.5 * size - 0.5 + _BLUR * ((places[s, 0] + 3 * places[s, 1]) % 5 - 2)
         x = px * projection[0, 0] + py * projection[1, 0] + pz * projection[2, 0] + aside
         y = px * projection[0, 1] + py * projection[1, 1] + pz * projection[2, 1] + below
         z = px * projection[0, 2] + py * projection[1, 2] + pz * projection[2, 2] + 0.5
