@@ -53,7 +53,7 @@ def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit:
     from ..pictures import BRASS, STEEL, Body, picture  # matplotlib and numba load only to draw
 
     bodies = [
-        Body(vertices=body.vertices, triangles=body.triangles(), colour=(STEEL, BRASS)[i % 2], label=part.label)
+        Body(vertices=body.vertices, triangles=body.triangles(), colour=(BRASS, STEEL)[i % 2], label=part.label)
         for i, part in enumerate(parts)
         for body in [part.placed]
     ]

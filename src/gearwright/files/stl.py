@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import disk
 from ..arrays import Array, Indices
 from ..errors import FileError
 from ..moments.faces import triangle_vectors
-from . import disk
 from .stl_text import looks_like_text, parse_text
 from .welding import Points, welded
 

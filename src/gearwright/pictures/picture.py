@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import os
-import secrets
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from ..arrays import Array, Indices
-from ..errors import FileError, MachineError
+from ..disk import written_whole
+from ..errors import FileError
 from .camera import Camera, View, camera, suitable_view
 
 Colour = tuple[float, float, float]
@@ -76,24 +75,9 @@ def picture(
         raise ValueError("a picture needs at least one body")
     if min(size) < 200 or max(size) > 8000:
         raise ValueError(f"picture size = {size}: 200 to 8000 pixels each way are possible")
-    _write(_drawn(bodies, title, view, size, length_unit), path)
-
-
-def _write(content: bytes, path: Path) -> None:
-    """The file, under a temporary name beside its own until it is complete."""
-    temporary = path.with_name(f".{path.name[:100]}.{secrets.token_hex(8)}.part")
-    try:
-        with temporary.open("xb") as stream:
-            stream.write(content)
-        temporary.replace(path)
-    except OSError as error:
-        raise MachineError(
-            f"{path}: cannot be written ({error.strerror or error}); nothing was changed; "
-            "check permissions and free space"
-        ) from error
-    finally:
-        with suppress(OSError):
-            temporary.unlink()
+    drawn = _drawn(bodies, title, view, size, length_unit)
+    with written_whole(path) as stream:
+        stream.write(drawn)
 
 
 def _drawn(bodies: Sequence[Body], title: str, view: View | None, size: tuple[int, int], length_unit: str) -> bytes:
