@@ -1,0 +1,42 @@
+"""What the README shows is what happens."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from gearwright.cli import main
+
+README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```(\w+)\n(.*?)```", README, flags=re.DOTALL)
+COMMANDS = [
+    line.strip()
+    for kind, text in BLOCKS
+    if kind == "sh"
+    for line in text.replace("\\\n", " ").splitlines()
+    if line.startswith("gearwright")
+]
+
+
+def test_the_python_example_prints_what_stands_below_it(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    kinds = [kind for kind, _ in BLOCKS]
+    code, printed = BLOCKS[kinds.index("python")][1], BLOCKS[kinds.index("text")][1]
+    exec(compile(code, "README.md", "exec"), {})  # noqa: S102  our own example
+    assert capsys.readouterr().out == printed
+    assert sorted(path.name for path in (tmp_path / "out/pair").iterdir()) == ["gear.stl", "pinion.stl"]
+    assert (tmp_path / "docs/images/bevel-pair.png").stat().st_size > 100_000
+
+
+def test_the_commands_run_in_their_order(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert len(COMMANDS) >= 5
+    for command in COMMANDS:
+        assert main(shlex.split(command)[1:]) == 0, command
+        assert capsys.readouterr().out
+
+
+@pytest.mark.parametrize("link", re.findall(r"\]\(([^)#:]+)\)", README))
+def test_links_lead_somewhere(link):
+    assert (Path(__file__).parents[1] / link).exists()
