@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwright.moments.boundary_integral import converged, moment_matrix_2d, plane_moments
+from gearwright.moments.boundary_integral import moment_matrix_2d, plane_moments
+from gearwright.moments.quadrature import converged
 
 POWERS = [(a, b) for a in range(4) for b in range(4 - a)]
 

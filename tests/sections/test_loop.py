@@ -86,7 +86,6 @@ class TestClosure:
         with pytest.raises(GeometryError, match="gap of nan"):
             Loop(curves=polygon((0.0, 0.0), (1.0, np.nan), (0.0, 1.0)))
 
-    @pytest.mark.xfail(reason="the size of a loop is taken from its starts alone, here the origin")
     @pytest.mark.parametrize("radius", [1e7, 1e9])
     def test_a_circle_through_the_origin_closes_whatever_its_size(self, radius):
         Loop(curves=(Arc(radius=radius, centre=(-radius, 0.0), interval=(0.0, 2.0 * np.pi)),))
@@ -142,12 +141,10 @@ class TestFamily:
         loop = saw(5)
         assert loop.at(0.3) is loop
 
-    @pytest.mark.xfail(reason="a Mapped curve's `at` is always a new curve")
     def test_a_constant_loop_with_mapped_curves_is_itself(self):
         loop = Loop(curves=(mapped(Arc(radius=1.0, interval=(0.0, np.pi)), turn(0.4, 2)),), copies=2)
         assert loop.at(0.3) is loop
 
-    @pytest.mark.xfail(reason="Mapped.at takes the interval of the curve it maps, not its own")
     def test_a_loop_with_reversed_mirror_images_keeps_its_sense(self):
         loop = Loop(
             curves=(

@@ -106,19 +106,19 @@ def polar_fan(curves, nodes=60):
 class TestOrientation:
     @pytest.mark.parametrize(("section", "make"), [(Section, circle), (SphericalSection, parallel)])
     def test_an_outer_loop_runs_counter_clockwise(self, section, make):
-        with pytest.raises(GeometryError, match=r"loop 1 encloses -.*must run counter-clockwise, as the outer loop"):
+        with pytest.raises(GeometryError, match=r"loop 1 runs clockwise: the outer loop runs counter-clockwise"):
             section(loops=(make(0.7, sense=-1),))
 
     @pytest.mark.parametrize(("section", "make"), [(Section, circle), (SphericalSection, parallel)])
     def test_a_hole_runs_clockwise(self, section, make):
-        with pytest.raises(GeometryError, match=r"loop 2 encloses .*must run clockwise, as a hole") as caught:
+        with pytest.raises(GeometryError, match=r"loop 2 runs counter-clockwise: a hole runs clockwise") as caught:
             section(loops=(make(0.7), make(0.2)))
         assert len(caught.value.problems) == 1
 
     def test_every_wrong_loop_is_named_at_once(self):
         with pytest.raises(GeometryError) as caught:
             Section(loops=(circle(1.0, sense=-1), circle(0.2), circle(0.1, (0.5, 0.0), -1), circle(0.1, (-0.5, 0.0))))
-        assert [str(p).split(" encloses")[0] for p in caught.value.problems] == ["loop 1", "loop 2", "loop 4"]
+        assert [str(p).split(" runs")[0] for p in caught.value.problems] == ["loop 1", "loop 2", "loop 4"]
 
     def test_a_loop_that_encloses_nothing_is_no_outer_loop(self):
         there, back = Line(first=(0.0, 0.0), last=(1.0, 0.0)), Line(first=(1.0, 0.0), last=(0.0, 0.0))
@@ -374,7 +374,6 @@ class TestError:
         exact = np.pi * (1.0 - inner) * (1.0 + inner)
         assert abs(section.moments[0, 0] / exact - 1.0) <= 4.0 * max(section.moments_error, 1e-15)
 
-    @pytest.mark.xfail(reason="the last change is no bound of the rounding of a rule whose own nodes are off by 1e-14")
     @pytest.mark.parametrize("centre", [(30.0, 10.0), (300.0, 10.0)])
     def test_it_bounds_the_rounding_away_from_the_origin(self, centre):
         section, radius = Section(loops=(circle(2.0, centre),)), 2.0
@@ -384,7 +383,6 @@ class TestError:
         assert abs(section.moments[3, 0] / exact - 1.0) <= section.moments_error
         assert section.moments[0, 0] == pytest.approx(area, rel=1e-14)
 
-    @pytest.mark.xfail(reason="orders are weighed against each other as numbers: more nodes than help are taken")
     @pytest.mark.parametrize("scale", [1e2, 1e3, 1e6])
     def test_it_does_not_depend_on_the_unit_of_length(self, scale):
         assert Section(loops=(circle(scale),)).moments_error < 4e-15

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 from ..arrays import Array
-from ..moments.boundary_integral import converged
+from ..moments.quadrature import converged
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flux import loop_quadrature, patch_quadrature

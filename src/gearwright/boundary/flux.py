@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import gauss_legendre
 from ..moments.flux import flux_moments
 from ..moments.matrix import patterned
+from ..moments.quadrature import gauss_legendre
 from .faces import Cap, CapLoop, Patch
 from .pattern import Pattern
 

@@ -72,8 +72,9 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
             segments[across] = max(segments.get(across, 1), int(bound.columns(layers, tolerance)))
     _require_possible(segments, tolerance)
     for edge in boundary.edges:
-        if edge.closed:
-            segments[groups.of(edge)] = max(segments[groups.of(edge)], _FEWEST_CLOSED)
+        # an edge of no patch lies on the axis of a revolution, between its two caps, and is straight
+        least = _FEWEST_CLOSED if edge.closed else 1
+        segments[groups.of(edge)] = max(segments.get(groups.of(edge), 1), least)
     return Sampling(segments={edge: segments[groups.of(edge)] for edge in boundary.edges}, tolerance=tolerance)
 
 
@@ -82,7 +83,7 @@ def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: floa
     groups = _Groups(boundary)
     segments = {groups.of(patch.sides[0].edge): across for patch in boundary.patches}
     segments |= {groups.of(patch.sides[1].edge): layers for patch in boundary.patches}
-    return Sampling(segments={edge: segments[groups.of(edge)] for edge in boundary.edges}, tolerance=tolerance)
+    return Sampling(segments={edge: segments.get(groups.of(edge), 1) for edge in boundary.edges}, tolerance=tolerance)
 
 
 class _Groups:

@@ -9,6 +9,7 @@ from typing import Self
 import numpy as np
 
 from ..arrays import Array, ArrayLike
+from ..moments.quadrature import gauss_legendre
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,16 +69,6 @@ class Curve(ABC):
         return self.point(u), self.derivative(u) * (w * (b - a) / 2.0)[:, None]
 
 
-_RULES: dict[int, tuple[Array, Array]] = {}
-
-
-def gauss_legendre(nodes: int) -> tuple[Array, Array]:
-    """Nodes and weights (n,) of the Gauss–Legendre rule on [−1, 1], kept after the first use."""
-    if nodes not in _RULES:
-        _RULES[nodes] = np.polynomial.legendre.leggauss(nodes)
-    return _RULES[nodes]
-
-
 @dataclass(frozen=True, kw_only=True)
 class Mapped(Curve):
     """A curve under the linear map p → A p: a rotation or a mirror image of it.
@@ -95,7 +86,8 @@ class Mapped(Curve):
         return self.curve.derivative(u) @ np.array(self.matrix).T
 
     def at(self, v: ArrayLike) -> Curve:
-        return mapped(self.curve.at(v), self.matrix)
+        member = self.curve.at(v)
+        return self if member is self.curve else replace(self, curve=member)
 
     def variation(self, u: ArrayLike, v: ArrayLike) -> Array:
         return self.curve.variation(u, v) @ np.array(self.matrix).T

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from .curve import Curve, gauss_legendre
+from ..moments.quadrature import gauss_legendre
+from .curve import Curve
 
 _NEAR_CUSP = 1.0  # roll below which the azimuth is a quadrature: its closed form is a difference of O(β) in O(β³)
 _CUSP_NODES = 16  # the integrand's poles are then ≥ 1 interval away: the error is below 1e-20
@@ -87,7 +88,10 @@ def spherical_involute_function(pole_angle: ArrayLike, base_cone_angle: float) -
     spinv(φ) = atan2(sin γ_b sin φ, cos φ)/sin γ_b − φ; the planar involute function is its limit γ_b → 0.
     Source: Al-Daccak 1989, eqs. (3.7), (3.9).
     """
+    _require_cone(base_cone_angle)
     phi = np.asarray(pole_angle, float)
+    if not np.all((phi >= 0.0) & (phi <= np.pi)):
+        raise ValueError("the angle at the pole goes from 0 at the cusp to 180° at the end of the involute")
     s = np.sin(base_cone_angle)
     return azimuth(np.arctan2(s * np.sin(phi), np.cos(phi)) / s, base_cone_angle)
 
@@ -100,11 +104,12 @@ def roll_at_polar_angle(polar_angle: ArrayLike, base_cone_angle: float) -> Array
     """
     _require_cone(base_cone_angle)
     gamma, delta = base_cone_angle, np.asarray(polar_angle, float)
-    if not np.all((delta >= gamma) & (delta <= np.pi - gamma)):
+    slack = 4.0 * np.finfo(float).eps  # an end's own polar angle may round beyond it
+    if not np.all((delta >= gamma - slack) & (delta <= np.pi - gamma + slack)):
         raise ValueError(
             f"the involute of a {np.degrees(gamma):.6g}° base cone lies between that angle and its supplement"
         )
-    half_sum, half_difference = (delta + gamma) / 2.0, (delta - gamma) / 2.0
+    half_sum, half_difference = (delta + gamma) / 2.0, np.maximum(delta - gamma, 0.0) / 2.0
     sin_squared = np.sin(half_sum) * np.sin(half_difference)  # both times cos γ_b
     cos_squared = np.cos(half_sum) * np.cos(half_difference)
     return 2.0 * np.arctan2(np.sqrt(sin_squared), np.sqrt(np.maximum(cos_squared, 0.0))) / np.sin(gamma)

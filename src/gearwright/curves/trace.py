@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from .curve import gauss_legendre
+from ..moments.quadrature import gauss_legendre
 
 _NODES = 40  # a smooth trace over a face width is resolved to rounding by half as many
 
@@ -65,6 +65,10 @@ class LogarithmicTrace(Trace):
 
     rate: float
     mean_distance: float
+
+    def __post_init__(self) -> None:
+        if not self.mean_distance > 0.0:
+            raise ValueError(f"a mean cone distance is greater than 0, not {self.mean_distance:g}")
 
     def turn(self, distance: ArrayLike) -> Array:
         return self.rate * np.log(np.asarray(distance, float) / self.mean_distance)

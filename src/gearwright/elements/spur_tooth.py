@@ -9,7 +9,7 @@ import numpy as np
 
 from ..curves.arc import Arc
 from ..curves.curve import Curve, mapped, turn
-from ..curves.involute import Involute, inverse_involute_function, involute_function, involute_roll
+from ..curves.involute import Involute, inverse_involute_function, involute_function, involute_of_roll, involute_roll
 from ..curves.line import Line
 from ..sections.loop import Loop
 from ..sections.plane import Section
@@ -51,7 +51,7 @@ class SpurTooth:
     def thickness_at(self, radius: float) -> float:
         """Angular thickness at a radius on the involute, s/r − 2(inv α − inv a)."""
         roll = float(involute_roll(radius, self.base_radius))
-        return 2.0 * (self._half_at_base - (roll - float(np.arctan(roll))))
+        return 2.0 * (self._half_at_base - float(involute_of_roll(roll)))
 
     @property
     def pointed_radius(self) -> float:

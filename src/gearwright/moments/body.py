@@ -47,12 +47,11 @@ def about_centroid(matrix: Array, method: Method, error: float, origin: Array | 
 
     error   relative error of the entries of the matrix
 
-    The shift subtracts the second moment of the offset; the bound grows by as much as that cancels.
+    The shift subtracts q qᵀ/V, into which the errors of V and q enter once more, from S; the bound grows by as
+    much as that cancels.
     """
     centroid = matrix[0, 1:] / matrix[0, 0]
     centred = shifted(matrix, -centroid)
-    loss = np.linalg.norm(matrix[1:, 1:]) / np.linalg.norm(centred[1:, 1:])
+    loss = 4.0 * float(np.linalg.norm(matrix[1:, 1:]) / np.linalg.norm(centred[1:, 1:]))
     start = np.zeros(3) if origin is None else origin
-    return BodyMoments(
-        origin=start + centroid, matrix=centred, method=method, error_bound=error * max(1.0, float(loss))
-    )
+    return BodyMoments(origin=start + centroid, matrix=centred, method=method, error_bound=error * max(1.0, loss))

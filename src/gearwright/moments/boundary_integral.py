@@ -12,7 +12,6 @@ Source: Al-Daccak 1989, eqs. (4.5)–(4.12), there for polygons.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import comb
 
 import numpy as np
@@ -20,8 +19,6 @@ import numpy as np
 from ..arrays import Array
 
 HIGHEST_ORDER = 3
-_NODES = (10, 14, 20, 28, 40, 56, 80, 112, 160, 224)
-_ROUNDING = 16.0 * np.finfo(float).eps  # what is left of a converged sum of some hundred terms
 
 
 def plane_moments(points: Array, tangents: Array, order: int = 1) -> Array:
@@ -59,22 +56,3 @@ def moment_matrix_2d(moments: Array) -> Array:
     """The 3×3 moment matrix with h = (1, x, y) from m[a, b]."""
     m = moments
     return np.array([[m[0, 0], m[1, 0], m[0, 1]], [m[1, 0], m[2, 0], m[1, 1]], [m[0, 1], m[1, 1], m[0, 2]]])
-
-
-def converged(integral: Callable[[int], Array]) -> tuple[Array, float]:
-    """The value of an integral as its nodes are increased until it settles, and its relative change at the end.
-
-    integral   the value with so many nodes an arc
-
-    The change is relative to the largest entry. An integral that has not settled at the most nodes
-    returns its last change, which then is its honest error bound.
-    """
-    value, change = integral(_NODES[0]), np.inf
-    for nodes in _NODES[1:]:
-        following = integral(nodes)
-        scale = float(np.max(np.abs(following))) or 1.0
-        change = float(np.max(np.abs(following - value))) / scale
-        value = following
-        if change <= _ROUNDING:
-            break
-    return value, max(change, float(np.finfo(float).eps))

@@ -39,7 +39,7 @@ def affine(linear: ArrayLike, translation: ArrayLike) -> Array:
 def transformed(matrix: Array, linear: ArrayLike, translation: ArrayLike = 0.0) -> Array:
     """Moments of the body mapped by r → A r + t, A (d, d): eq. (M1), with |det A|."""
     map_ = affine(linear, translation)
-    scale = np.abs(np.linalg.det(np.asarray(linear, float)))
+    scale = np.abs(np.linalg.det(np.asarray(linear, float)))[..., None, None]
     return scale * (map_ @ matrix @ np.swapaxes(map_, -1, -2))
 
 
@@ -55,15 +55,12 @@ def patterned(matrix: Array, order: int) -> Array:
     """
     if order == 1:
         return matrix
-    result = np.zeros_like(matrix)
-    result[0, 0] = order * matrix[0, 0]
-    axial = slice(3, None)
-    result[0, axial] = result[axial, 0] = order * matrix[0, axial]
-    result[axial, axial] = order * matrix[axial, axial]
+    axial = np.isin(np.arange(matrix.shape[-1]), (1, 2), invert=True)
+    result = np.where(np.outer(axial, axial), order * matrix, 0.0)
     if order == 2:
-        result[1:3, 1:3] = 2.0 * matrix[1:3, 1:3]
+        result[..., 1:3, 1:3] = 2.0 * matrix[..., 1:3, 1:3]
     else:
-        result[1, 1] = result[2, 2] = order * (matrix[1, 1] + matrix[2, 2]) / 2.0
+        result[..., 1, 1] = result[..., 2, 2] = order * (matrix[..., 1, 1] + matrix[..., 2, 2]) / 2.0
     return result
 
 
@@ -80,4 +77,4 @@ def central_second(matrix: Array) -> Array:
 def inertia_tensor(second: ArrayLike) -> Array:
     """I = tr(S) 1 − S (3, 3): the off-diagonals are minus the products ∫xy, ∫yz, ∫zx."""
     second = np.asarray(second, float)
-    return np.trace(second) * np.eye(3) - second
+    return np.trace(second, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - second

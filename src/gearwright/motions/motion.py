@@ -51,6 +51,13 @@ class Motion(ABC):
         del section, ends
         return None
 
+    def refusal(self, ends: Ends) -> str | None:
+        """Why the motion cannot go between these ends; None where it can."""
+        constants = ends.constants
+        if constants is not None and not constants[0] < constants[1]:
+            return f"the motion must end beyond its start, {constants[0]:.6g}, not at {constants[1]:.6g}"
+        return None
+
     def breaks(self, ends: Ends) -> tuple[float, ...]:
         """Parameters between the ends at which the motion is not smooth."""
         del ends

@@ -11,6 +11,7 @@ from ..curves.trace import Trace
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import radial_sweep
 from ..sections.section import LoopedSection
+from ..sections.sphere import SphericalSection
 from ..surfaces.sphere import Sphere
 from ..surfaces.surface import Surface
 from .ends import ConstantEnd, End, Ends
@@ -56,7 +57,7 @@ class Radial(Motion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
-        if constants is None:
+        if constants is None or not isinstance(section, SphericalSection):
             return None
         start, finish = constants
         matrix = radial_sweep(section.moments, lambda p, j: self.trace.radial_integral(p, j, start, finish))

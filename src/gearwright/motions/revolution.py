@@ -11,6 +11,7 @@ from ..curves.arc import Arc
 from ..curves.curve import Curve
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import revolution_sweep
+from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.plane import Plane
 from ..surfaces.sphere import Sphere
@@ -19,6 +20,7 @@ from .ends import ConstantEnd, End, Ends
 from .motion import Motion
 
 FULL_TURN = 2.0 * np.pi
+_CLOSED = 1e-12  # how far from a full turn still closes: some roundings of 2π
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,11 +58,23 @@ class Revolution(Motion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
-        if constants is None:
+        if constants is None or not isinstance(section, Section):
             return None
-        matrix = revolution_sweep(section.moments, -constants[1], -constants[0])
-        return about_centroid(matrix, "exact", section.moments_error)
+        local = section.local_moments
+        level = float(local.origin[1])
+        matrix = revolution_sweep(local.about((0.0, level)), -constants[1], -constants[0])
+        return about_centroid(matrix, "exact", section.moments_error, np.array([0.0, 0.0, level]))
+
+    def refusal(self, ends: Ends) -> str | None:
+        constants = ends.constants
+        if constants is not None and constants[1] - constants[0] > FULL_TURN + _CLOSED:
+            return f"a revolution of {np.degrees(constants[1] - constants[0]):.6g}° would run into itself; 360° is all"
+        return super().refusal(ends)
+
+    @property
+    def rotation_order(self) -> int:
+        return 1
 
     def closed(self, ends: Ends) -> bool:
         constants = ends.constants
-        return constants is not None and abs(constants[1] - constants[0] - FULL_TURN) < 1e-12
+        return constants is not None and abs(constants[1] - constants[0] - FULL_TURN) < _CLOSED

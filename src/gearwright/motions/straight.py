@@ -9,6 +9,7 @@ import numpy as np
 from ..arrays import Array, ArrayLike
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import straight_sweep
+from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
@@ -21,16 +22,14 @@ class Straight(Motion):
     """r = (x, y, v): a plane section moved along its normal. Source: Al-Daccak 1989, eq. (5.15)."""
 
     def place(self, point: Array, v: ArrayLike) -> Array:
-        z = np.broadcast_to(v, point.shape[:-1])
-        return np.concatenate([point, z[..., None]], axis=-1)
+        return _in_space(point, v)
 
     def carry(self, point: Array, tangent: Array, v: ArrayLike) -> Array:
-        del point, v
-        return np.concatenate([tangent, np.zeros((*tangent.shape[:-1], 1))], axis=-1)
+        del point
+        return _in_space(tangent, np.zeros(np.shape(v)))
 
     def velocity(self, point: Array, v: ArrayLike) -> Array:
-        del v
-        return np.broadcast_to([0.0, 0.0, 1.0], (*point.shape[:-1], 3)).copy()
+        return _in_space(np.zeros_like(point), np.ones(np.shape(v)))
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.ones(np.broadcast_shapes(point.shape[:-1], np.shape(v)))
@@ -42,9 +41,17 @@ class Straight(Motion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
-        if constants is None:
+        if constants is None or not isinstance(section, Section):
             return None
         start, finish = constants
-        matrix = straight_sweep(section.moments, finish - start)
-        middle = np.array([0.0, 0.0, (start + finish) / 2.0])
+        local = section.local_moments
+        matrix = straight_sweep(local.values, finish - start)
+        middle = np.array([*local.origin, (start + finish) / 2.0])
         return about_centroid(matrix, "exact", section.moments_error, middle)
+
+
+def _in_space(vectors: Array, z: ArrayLike) -> Array:
+    """(x, y, z) (..., 3) of plane vectors (..., 2) and z (...), broadcast against each other."""
+    shape = np.broadcast_shapes(vectors.shape[:-1], np.shape(z))
+    plane = np.broadcast_to(vectors, (*shape, 2))
+    return np.concatenate([plane, np.broadcast_to(z, shape)[..., None]], axis=-1)

@@ -29,6 +29,9 @@ class Loop:
     copies: int = 1
 
     def __post_init__(self) -> None:
+        if not self.curves or self.copies < 1:
+            given = f"{len(self.curves)} curves, {self.copies} copies"
+            raise GeometryError("This is not a loop", [Problem(given, "at least one of each is needed")])
         gaps = self._gaps()
         if gaps:
             raise GeometryError("The loop is not closed", gaps)
@@ -47,7 +50,8 @@ class Loop:
         ends[-1] = turn(-self.sense * 2.0 * np.pi / self.copies, dimension) @ ends[-1]
         starts = np.array([curve.start for curve in self.curves])
         gaps = np.linalg.norm(np.roll(starts, -1, axis=0) - ends, axis=1)
-        size = float(np.max(np.abs(starts))) or 1.0
+        middles = np.array([curve.point(curve.parameter(0.5)) for curve in self.curves])
+        size = float(np.max(np.abs([starts, ends, middles]))) or 1.0
         return [
             Problem(
                 f"gap of {gap:.3g} after curve {i + 1} of {len(self.curves)} at {np.round(ends[i], 6)}",
@@ -64,6 +68,8 @@ class Loop:
 
     def with_copies(self, copies: int) -> Loop:
         """The same loop as fewer, longer periods; `copies` divides the present number."""
+        if self.copies % copies:
+            raise ValueError(f"a loop of {self.copies} periods is not {copies} longer ones")
         dimension = self.curves[0].start.size
         step = self.sense * 2.0 * np.pi / self.copies
         curves = [

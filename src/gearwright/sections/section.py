@@ -10,7 +10,7 @@ from typing import Self
 
 from ..arrays import Array
 from ..errors import GeometryError, Problem
-from ..moments.boundary_integral import converged
+from ..moments.quadrature import converged
 from .loop import Loop
 
 
@@ -18,22 +18,29 @@ from .loop import Loop
 class LoopedSection(ABC):
     """A region bounded by loops: the outer one first and counter-clockwise, holes clockwise.
 
-    Raises GeometryError where a loop runs the wrong way.
+    Raises GeometryError where a loop runs the wrong way, or the holes take more than there is.
     """
 
     loops: tuple[Loop, ...]
 
     def __post_init__(self) -> None:
-        problems = []
-        for i, loop in enumerate(self.loops):
-            measure = float(self._integral((loop,), 20)[0, 0])
-            if (measure > 0.0) != (i == 0):
-                expected = "counter-clockwise, as the outer loop" if i == 0 else "clockwise, as a hole"
-                problems.append(
-                    Problem(f"loop {i + 1} encloses {measure:.6g}", f"it must run {expected}; reverse its curves")
-                )
+        problems = self._sense_problems() if self.loops else [Problem("0 loops", "at least the outer one is needed")]
+        if not problems and not self._integral(self.loops, 20)[0, 0] > 0.0:
+            problems = [Problem(f"{len(self.loops)} loops", "the holes take more than the outer loop encloses")]
         if problems:
             raise GeometryError("The loops do not bound a section", problems)
+
+    def _sense_problems(self) -> list[Problem]:
+        measures = [float(self._integral((loop,), 20)[0, 0]) for loop in self.loops]
+        return [
+            Problem(
+                f"loop {i + 1} "
+                + ("runs clockwise" if measure < 0.0 else "runs counter-clockwise" if measure else "encloses nothing"),
+                f"{'the outer loop runs counter-clockwise' if i == 0 else 'a hole runs clockwise'}; reverse its curves",
+            )
+            for i, measure in enumerate(measures)
+            if measure == 0.0 or (measure > 0.0) != (i == 0)
+        ]
 
     @abstractmethod
     def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:
@@ -47,11 +54,6 @@ class LoopedSection(ABC):
     @cached_property
     def _converged(self) -> tuple[Array, float]:
         return converged(lambda nodes: self._integral(self.loops, nodes))
-
-    @property
-    def moments(self) -> Array:
-        """Moments of the section on its true curves: m[a, b] to order 3, or [Ω Nᵀ; N Q]."""
-        return self._converged[0]
 
     @property
     def moments_error(self) -> float:

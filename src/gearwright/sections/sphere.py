@@ -17,3 +17,8 @@ class SphericalSection(LoopedSection):
     def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:
         parts = [region_moments(*loop.quadrature(nodes), order=loop.copies) for loop in loops]
         return sum(parts[1:], start=parts[0])
+
+    @property
+    def moments(self) -> Array:
+        """[Ω Nᵀ; N Q] (4, 4): solid angle, ∫ n dΩ and ∫ n nᵀ dΩ, on the true curves."""
+        return self._converged[0]

@@ -14,7 +14,7 @@ from ..boundary.flux import boundary_flux
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
 from ..moments.body import BodyMoments, about_centroid
-from ..moments.boundary_integral import converged
+from ..moments.quadrature import converged
 from .extent import Extent
 from .polyhedron import Polyhedron
 from .properties import MassProperties
@@ -60,8 +60,10 @@ def _extent(solid: Solid) -> Extent:
 
 def flux_moments(boundary: Boundary) -> BodyMoments:
     """Moments by flux through the boundary, with nodes increased until they settle."""
-    matrix, error = converged(lambda nodes: boundary_flux(boundary.patches, boundary.caps, nodes).matrix)
-    return about_centroid(matrix, "quadrature", error)
+    size = diagonal(boundary)
+    unit = np.outer([1.0, size, size, size], [1.0, size, size, size]) * size**3
+    scaled, error = converged(lambda nodes: boundary_flux(boundary.patches, boundary.caps, nodes).matrix / unit)
+    return about_centroid(scaled * unit, "quadrature", error)
 
 
 def diagonal(boundary: Boundary) -> float:

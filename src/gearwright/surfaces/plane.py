@@ -12,6 +12,8 @@ from ..moments.flux import BY_ORDER
 from ..moments.matrix import affine
 from .surface import Surface
 
+_ORTHONORMAL = 1e-12
+
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Surface):
@@ -20,6 +22,10 @@ class Plane(Surface):
     origin: tuple[float, float, float]
     x_axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
     y_axis: tuple[float, float, float] = (0.0, 1.0, 0.0)
+
+    def __post_init__(self) -> None:
+        if not np.allclose(self._axes @ self._axes.T, np.eye(2), rtol=0.0, atol=_ORTHONORMAL):
+            raise ValueError("the axes of a plane must be orthonormal")
 
     @property
     def _axes(self) -> Array:

@@ -9,6 +9,7 @@ import numpy as np
 from ..arrays import Array
 from ..moments.flux import BY_ORDER
 from ..moments.matrix import moment_matrix
+from ..moments.quadrature import gauss_legendre
 from .surface import Surface
 
 
@@ -59,16 +60,25 @@ def _polar_integrals(n: Array, dn: Array) -> Array:
     rho = np.sqrt(rho_squared)
     azimuth_step = (x * dn[:, 1] - y * dn[:, 0]) / rho_squared
     c, s = x / rho, y / rho
-    area = np.sum((1.0 - u) * azimuth_step)
-    transverse = (np.arccos(np.clip(u, -1.0, 1.0)) - u * rho) / 2.0 * azimuth_step
-    square = (2.0 / 3.0 - u + u**3 / 3.0) * azimuth_step
+    versine = np.where(u >= 0.0, rho_squared / (1.0 + np.abs(u)), 1.0 - u)  # 1 − u
+    area = np.sum(versine * azimuth_step)
+    transverse = _sine_squared_integral(np.arctan2(rho, u)) * azimuth_step
+    square = versine**2 * (2.0 + u) / 3.0 * azimuth_step
     mixed = rho**3 / 3.0 * azimuth_step
     first = np.array([transverse @ c, transverse @ s, np.sum(rho_squared / 2.0 * azimuth_step)])
     second = np.array(
         [
             [square @ (c * c), square @ (c * s), mixed @ c],
             [square @ (c * s), square @ (s * s), mixed @ s],
-            [mixed @ c, mixed @ s, np.sum((1.0 - u**3) / 3.0 * azimuth_step)],
+            [mixed @ c, mixed @ s, np.sum(versine * (1.0 + u + u * u) / 3.0 * azimuth_step)],
         ]
     )
     return moment_matrix(area, first, second)
+
+
+def _sine_squared_integral(theta: Array) -> Array:
+    """∫₀^θ sin²t dt = (θ − sin θ cos θ)/2 (...), near the pole by quadrature, where the difference cancels."""
+    x, w = gauss_legendre(12)
+    near = np.where(theta < 0.5, theta, 0.0)
+    quadrature = near / 2.0 * (np.sin(near[..., None] * (x + 1.0) / 2.0) ** 2 @ w)
+    return np.where(theta < 0.5, quadrature, (theta - np.sin(theta) * np.cos(theta)) / 2.0)
