@@ -209,6 +209,10 @@ class Problems:
         """
         return all(self._declared[name].computable(getattr(self._element, name)) for name in names)
 
+    def counted(self) -> bool:
+        """Whether every parameter has as many values as it should."""
+        return not any(d.miscounted(getattr(self._element, name)) for name, d in self._declared.items())
+
     def sound(self, *names: str) -> bool:
         """Whether none of the named parameters (all, if none is named) has a problem yet."""
         return not (self._names & set(names) if names else self._names)

@@ -39,6 +39,15 @@ def bounding_box(boundary: Boundary) -> Array:
     return box
 
 
+def rough_diagonal(boundary: Boundary) -> float:
+    """Diagonal of the bounding box to a thousandth or so, from points along the edges and extremes inside caps."""
+    fractions = np.linspace(0.0, 1.0, _GRID)
+    edges = [edge.pattern.images(edge.curve.point(edge.curve.parameter(fractions))) for edge in boundary.edges]
+    inside = [point for cap in boundary.caps for point in _extremes_inside(cap)]
+    points = np.concatenate([*(images.reshape(-1, 3) for images in edges), np.array(inside).reshape(-1, 3)])
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
 def _area(boundary: Boundary, nodes: int) -> float:
     patches = (
         patch.pattern.order * float(np.sum(np.linalg.norm(patch_quadrature(patch, nodes)[1], axis=1)))

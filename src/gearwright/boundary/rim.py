@@ -15,9 +15,10 @@ import numpy as np
 from ..arrays import Array, Indices
 from ..curves.curve import turn
 from ..surfaces.surface import Surface
-from .triangulation import Grading, signed_area, triangulate, triangulate_chart
+from .triangulation import Grading, closed_chains, signed_area, spacing_along, triangulate, triangulate_chart
 
 _WIDEST_RING = 0.9  # of the smallest radius of the outer loop, so that there is a rim at all
+_FEWEST_SIDES = 12  # of the ring as a polygon: its sides then stay clear of what is inside
 _NARROWEST_ROOM = 1.2  # of the largest radius of the inner loops
 
 
@@ -80,15 +81,14 @@ class _Rim:
         offset = int(np.argmin(radii[:count]))
         least = float(radii[offset])
         holes = max((float(np.linalg.norm(chart, axis=1).max()) for chart in charts[1:]), default=0.0)
-        spacing = np.linalg.norm(np.roll(outer, -1, axis=0) - outer, axis=1)
-        grading = Grading(surface=surface, tolerance=tolerance, border=outer, spacing=spacing)
+        grading = _grading(surface, tolerance, outer)
         trial = np.linspace(_NARROWEST_ROOM * holes, _WIDEST_RING * least, 65)[1:]
         sizes = grading.size(trial[:, None] * outer[offset] / least)[0]
         wide = 2.0 * np.pi * trial / order >= sizes
         if not wide.any() or _NARROWEST_ROOM * holes >= _WIDEST_RING * least:
             return None
         first = int(np.argmax(wide))
-        divisions = max(1, round(2.0 * np.pi * trial[first] / order / sizes[first]))
+        divisions = int(np.ceil(max(2.0 * np.pi * trial[first] / sizes[first], _FEWEST_SIDES) / order))
         return cls(surface, tolerance, order, np.roll(outer, -offset, axis=0), offset, float(trial[first]), divisions)
 
     def triangulated(self, sense: int) -> tuple[Array, Array, Indices]:
@@ -114,15 +114,13 @@ class _Rim:
 
     def _cut(self, direction: Array) -> Array:
         """Points (k, 2) along the radius from the outer loop's start to the ring, both left out, graded."""
-        spacing = np.linalg.norm(np.roll(self.outer, -1, axis=0) - self.outer, axis=1)
-        grading = Grading(surface=self.surface, tolerance=self.tolerance, border=self.outer, spacing=spacing)
-        outermost = float(np.linalg.norm(self.outer[0]))
-        radii = np.linspace(self.ring, outermost, 257)
-        sizes = grading.size(radii[:, None] * direction)[0]
-        steps = np.concatenate([[0.0], np.cumsum((1.0 / sizes[1:] + 1.0 / sizes[:-1]) / 2.0 * np.diff(radii))])
-        pieces = max(1, round(float(steps[-1])))
-        inside = np.interp(np.arange(pieces - 1, 0, -1) * steps[-1] / pieces, steps, radii)
-        return inside[:, None] * direction
+        grading = _grading(self.surface, self.tolerance, self.outer)
+        radii = [float(np.linalg.norm(self.outer[0]))]
+        while radii[-1] > self.ring:
+            radii.append(radii[-1] - float(grading.size(radii[-1] * direction[None])[0][0]))
+        # the last step overshoots: all are shortened alike, so that none grows
+        shortened = (radii[0] - self.ring) / (radii[0] - radii[-1])
+        return (radii[0] - shortened * (radii[0] - np.array(radii[1:-1])))[:, None] * direction
 
     def _numbers(self, count: int, cuts: int, inner: int) -> Indices:
         """Numbers (order, n) of one sector's points, border then inner, in every image."""
@@ -143,3 +141,9 @@ class _Rim:
             ],
             axis=1,
         )
+
+
+def _grading(surface: Surface, tolerance: float, loop: Array) -> Grading:
+    """Spacing wanted inside a closed loop (n, 2) alone."""
+    spacing = spacing_along(loop, closed_chains([len(loop)]))
+    return Grading(surface=surface, tolerance=tolerance, border=loop, spacing=spacing)

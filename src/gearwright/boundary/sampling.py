@@ -149,6 +149,7 @@ def _best_layers(bounds: list[_Bounds], tolerance: float) -> int:
 
 def _second_partials(patch: Patch, u: Array, v: Array) -> tuple[Array, Array, Array]:
     h = _DIFFERENCE
+    u, v = np.clip(u, h, 1.0 - h), np.clip(v, h, 1.0 - h)  # a motion may not go beyond its ends
     u_after, v_after_u = patch.partials(u + h, v)
     u_before, v_before_u = patch.partials(u - h, v)
     _, v_after = patch.partials(u, v + h)

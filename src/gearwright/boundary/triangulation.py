@@ -20,6 +20,7 @@ from ..surfaces.surface import Surface
 
 _GRADING = 0.6  # cell size by distance from the border: neighbours then differ by less than a factor of two
 _CLEARANCE = 0.6  # distance of inner points from the border, by the local spacing
+_SAMPLED = 0.9  # of the tolerance, where a triangle is sampled: what may lie between the samples is less
 _ROUNDS = 8  # insertions after which a triangle beyond the tolerance is refused
 
 
@@ -76,13 +77,13 @@ def triangulate(surface: Surface, loops: Sequence[Array], tolerance: float) -> t
 def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
     """The same in the chart of the surface: loops (n_i, 2), inner points (k, 2)."""
     border = np.concatenate(loops)
-    constraints = _closed_chains([len(loop) for loop in loops])
+    constraints = closed_chains([len(loop) for loop in loops])
     spacing = spacing_along(border, constraints)
     inner = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing).points()
     for _ in range(_ROUNDS):
         points = np.concatenate([border, inner])
         triangles = _delaunay(points, constraints)
-        far = _deviation(surface, surface.point(points)[triangles]) > tolerance
+        far = _deviation(surface, surface.point(points)[triangles]) > _SAMPLED * tolerance
         if not far.any():
             break
         inner = np.concatenate([inner, points[triangles[far]].mean(axis=1)])
@@ -130,7 +131,7 @@ def spacing_along(border: Array, constraints: Indices) -> Array:
     return spacing
 
 
-def _closed_chains(counts: Sequence[int]) -> Indices:
+def closed_chains(counts: Sequence[int]) -> Indices:
     """Segments (n, 2) of closed loops of so many points each, numbered on."""
     starts = np.cumsum([0, *counts[:-1]])
     return np.concatenate(

@@ -26,6 +26,7 @@ from .bevel_tooth import BevelTooth
 from .element import Element, module_in, require_one_pitch
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
+_LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _OF_THE_BLANK = ("face_width", "addendum", "dedendum")
 
 
@@ -90,7 +91,7 @@ class BevelGear(Element):
 
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
-        if self.face_width >= self.cone_distance:
+        if self.inner_distance <= _LEAST_INNER * self.cone_distance:
             problems.add(
                 "face_width",
                 f"more than the cone distance, {self.cone_distance:.2f} {unit}; 0.3 × cone distance "
@@ -122,7 +123,7 @@ class BevelGear(Element):
                 refusals.pointed_tooth(limit, unit),
             )
         if tooth.root_space <= 0.0:
-            limit = self.outer_thickness + tooth.root_space * self.pitch_radius
+            limit = self._nominal_thickness + tooth.root_space * self.pitch_radius
             problems.add(
                 "circular_thickness",
                 refusals.meeting_teeth(limit, unit),

@@ -57,7 +57,9 @@ class BevelPair:
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if self.trace == "straight" and self.spiral_angle:
             problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
-        computable = problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
+        computable = (
+            problems.counted() and problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
+        )
         if computable and self._check_cones(problems) and self._check_depths(problems):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
             problems.add_members(members, settled=("mate_teeth",))

@@ -19,7 +19,7 @@ from ..curves.spherical_involute import (
 )
 from ..sections.loop import Loop
 from ..sections.sphere import SphericalSection
-from .gear_loop import gear_loop
+from .gear_loop import NEXT_TO_NOTHING, gear_loop
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,7 +95,7 @@ class BevelTooth:
         rolls = roll_at_polar_angle([self.flank_start, self.face_angle], self.base_cone_angle)
         involute = SphericalInvolute(base_cone_angle=self.base_cone_angle, interval=(float(rolls[0]), float(rolls[1])))
         flank: list[Curve] = [mapped(involute, turn(-self.thickness / 2.0 - self.pitch_azimuth, 3))]
-        if self.root_angle < self.base_cone_angle:
+        if self.root_angle < self.base_cone_angle * (1.0 - NEXT_TO_NOTHING):
             foot = -self.thickness_at(self.base_cone_angle) / 2.0
             flank.insert(0, Meridian(azimuth=foot, interval=(self.root_angle, self.base_cone_angle)))
         return flank

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from ..curves.curve import Curve, mapped, turn
 from ..sections.loop import Loop
 
+NEXT_TO_NOTHING = 1e-10
+"""Height of a radial piece of flank, relative to the base circle or cone, that is left out: within a loop's closure."""
+
 
 def gear_loop(rising: Sequence[Curve], tip: Curve, root: Curve, teeth: int) -> Loop:
     """The loop of all teeth, the first one centred on +x.

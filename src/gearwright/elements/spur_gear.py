@@ -75,7 +75,7 @@ class SpurGear(Element):
                 refusals.pointed_tooth(limit, unit),
             )
         if tooth.root_space <= 0.0:
-            limit = self.thickness + tooth.root_space * self.pitch_radius
+            limit = self.nominal_thickness + tooth.root_space * self.pitch_radius
             problems.add(
                 "circular_thickness",
                 refusals.meeting_teeth(limit, unit),

@@ -13,7 +13,7 @@ from ..curves.involute import Involute, inverse_involute_function, involute_func
 from ..curves.line import Line
 from ..sections.loop import Loop
 from ..sections.plane import Section
-from .gear_loop import gear_loop
+from .gear_loop import NEXT_TO_NOTHING, gear_loop
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,7 +84,7 @@ class SpurTooth:
         rolls = involute_roll([self.flank_start, self.tip_radius], self.base_radius)
         involute = Involute(base_radius=self.base_radius, interval=(float(rolls[0]), float(rolls[1])))
         flank: list[Curve] = [mapped(involute, turn(-self._half_at_base, 2))]
-        if self.root_radius < self.base_radius:
+        if self.root_radius < self.base_radius * (1.0 - NEXT_TO_NOTHING):
             direction = np.array([np.cos(foot), -np.sin(foot)])
             line = Line(first=tuple(self.root_radius * direction), last=tuple(self.base_radius * direction))
             flank.insert(0, line)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ..boundary.boundary import Boundary
-from ..boundary.extent import bounding_box, surface_area
+from ..boundary.extent import bounding_box, rough_diagonal, surface_area
 from ..boundary.flux import boundary_flux
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
@@ -46,7 +46,7 @@ class Solid(ABC):
         Default tolerance: 1e-4 × bounding diagonal. Raises GeometryError where it cannot be met.
         """
         if tolerance is None:
-            tolerance = DEFAULT_TOLERANCE * diagonal(self.boundary)
+            tolerance = DEFAULT_TOLERANCE * rough_diagonal(self.boundary)
         return Polyhedron(*tessellate(self.boundary, sampling(self.boundary, tolerance)))
 
     def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
@@ -60,18 +60,7 @@ def _extent(solid: Solid) -> Extent:
 
 def flux_moments(boundary: Boundary) -> BodyMoments:
     """Moments by flux through the boundary, with nodes increased until they settle."""
-    size = diagonal(boundary)
+    size = rough_diagonal(boundary)
     unit = np.outer([1.0, size, size, size], [1.0, size, size, size]) * size**3
     scaled, error = converged(lambda nodes: boundary_flux(boundary.patches, boundary.caps, nodes).matrix / unit)
     return about_centroid(scaled * unit, "quadrature", error)
-
-
-def diagonal(boundary: Boundary) -> float:
-    """Diagonal of the bounding box, from points along all edges."""
-    points = np.concatenate(
-        [
-            edge.pattern.images(edge.curve.point(edge.curve.parameter(np.linspace(0.0, 1.0, 9)))).reshape(-1, 3)
-            for edge in boundary.edges
-        ]
-    )
-    return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))

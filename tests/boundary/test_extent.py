@@ -1,0 +1,57 @@
+"""Area and bounding box of boundaries."""
+
+import numpy as np
+import pytest
+
+from gearwright.boundary.extent import bounding_box, surface_area
+from gearwright.solids.solid import diagonal
+
+from ..examples import built, every_part, polyhedron, size
+from .shapes import BOXES
+
+AREAS = {
+    "cube": 6.0,
+    "cylinder": 20.0 * np.pi,
+    "tube of twelve sectors": 12.0 * np.pi,
+    "ring of square section": 20.0 * np.pi,
+    "ball": 4.0 * np.pi,
+    "torus": 12.0 * np.pi**2,
+}
+CORNERS = {
+    "cube": ((0, 0, 0), (1, 1, 1)),
+    "cylinder": ((-2, -2, 0), (2, 2, 3)),
+    "ring of square section": ((-3, -3, 0), (3, 3, 1)),
+    "quarter of a cone": ((0, 0, 0), (1, 1, 1)),
+    "ball": ((-1, -1, -1), (1, 1, 1)),
+    "torus": ((-4, -4, -1), (4, 4, 1)),
+}
+
+
+@pytest.mark.parametrize("name", AREAS)
+def test_areas(name):
+    assert surface_area(BOXES[name][0]()) == pytest.approx(AREAS[name], rel=1e-12)
+
+
+@pytest.mark.parametrize("name", CORNERS)
+def test_boxes(name):
+    np.testing.assert_allclose(bounding_box(BOXES[name][0]()), CORNERS[name], atol=1e-9)
+
+
+@every_part
+def test_polyhedra_have_nearly_the_same(part):
+    """Corners lie on the surface: within the box, and a chord's depth from its sides at most."""
+    box, body = bounding_box(built(part).boundary), polyhedron(part, 1e-4)
+    low, high = body.vertices.min(axis=0), body.vertices.max(axis=0)
+    slack = 1e-9 * size(part)
+    assert np.all(low >= box[0] - slack)
+    assert np.all(high <= box[1] + slack)
+    np.testing.assert_allclose([low, high], box, atol=2e-3 * size(part))
+    a, b, c = np.moveaxis(body.vertices[np.asarray(body.faces)], 1, 0)
+    area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0
+    assert area == pytest.approx(surface_area(built(part).boundary), rel=2e-3)
+
+
+@every_part
+def test_the_diagonal_is_about_that_of_the_box(part):
+    exact = float(np.linalg.norm(np.diff(bounding_box(built(part).boundary), axis=0)))
+    assert 0.95 * exact < diagonal(built(part).boundary) <= exact * (1.0 + 1e-12)

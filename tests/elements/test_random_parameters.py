@@ -1,0 +1,198 @@
+"""Any parameters are either refused as such, or give a watertight part of positive volume; nothing else happens.
+
+pytest turns every warning into an error, so numpy's about overflow and invalid values fail these tests too.
+"""
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from gearwright.elements.bevel_gear import BevelGear
+from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.spur_gear import SpurGear
+from gearwright.errors import ParameterError
+
+from ..laws.topology import edges_pair_up, fans_at_vertices
+
+run = settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+
+teeth = st.integers(3, 60)
+angle = st.one_of(st.floats(14.0, 30.0), st.floats(0.5, 50.0))
+share = st.floats(0.05, 1.6)
+"""A length in modules."""
+
+
+def maybe(strategy):
+    return st.none() | strategy
+
+
+@st.composite
+def common(draw):
+    module = draw(st.floats(0.2, 30.0))
+    values = {"module": module} if draw(st.booleans()) else {"diametral_pitch": 25.4 / module}
+    values["length_unit"] = draw(st.sampled_from(["mm", "in"]))
+    values["pressure_angle"] = draw(angle)
+    own = module / (25.4 if values["length_unit"] == "in" else 1.0)
+    values["backlash"] = draw(st.sampled_from([0.0, 0.02, 0.3])) * own
+    return values, own
+
+
+@st.composite
+def blank(draw, module, z):
+    values = {}
+    for name, strategy in (("addendum", share), ("dedendum", share), ("circular_thickness", st.floats(0.8, 2.2))):
+        value = draw(maybe(strategy))
+        if value is not None:
+            values[name] = value * module
+    bore = draw(maybe(st.floats(0.02, 1.0)))
+    return values if bore is None else {**values, "bore": bore * z * module}
+
+
+@st.composite
+def trace(draw):
+    if draw(st.booleans()):
+        return {}
+    spiral_angle, hand = draw(st.floats(0.0, 50.0)), draw(st.sampled_from(["right", "left"]))
+    return {"trace": "logarithmic", "spiral_angle": spiral_angle, "hand": hand}
+
+
+@st.composite
+def spur_gears(draw):
+    values, module = draw(common())
+    z = draw(teeth)
+    return SpurGear, {**values, **draw(blank(module, z)), "teeth": z, "face_width": draw(st.floats(0.3, 30.0)) * module}
+
+
+@st.composite
+def bevel_gears(draw):
+    values, module = draw(common())
+    z, pitch_angle = draw(teeth), draw(st.one_of(st.floats(3.0, 90.0), st.just(90.0)))
+    cone_distance = z * module / 2.0 / np.sin(np.radians(pitch_angle))
+    width = float(draw(st.floats(0.02, 1.05)) * cone_distance)
+    return BevelGear, {
+        **values,
+        **draw(blank(module, z)),
+        **draw(trace()),
+        "teeth": z,
+        "pitch_angle": pitch_angle,
+        "face_width": width,
+    }
+
+
+@st.composite
+def bevel_pairs(draw):
+    values, module = draw(common())
+    numbers = draw(st.tuples(st.integers(10, 50), st.integers(10, 50)))
+    depth = draw(st.floats(0.8, 2.2))
+    values |= {
+        "working_depth": depth * module,
+        "whole_depth": draw(st.floats(0.98, 1.3)) * depth * module,
+        "gear_addendum": draw(st.floats(0.3, 0.7)) * depth * module,
+    }
+    return BevelPair, {
+        **values,
+        **draw(trace()),
+        "teeth": numbers,
+        "shaft_angle": draw(st.floats(30.0, 130.0)),
+        "face_width": draw(st.floats(0.1, 6.0)) * module,
+    }
+
+
+def _built_or_refused(element, values):
+    try:
+        found = element(**values)
+    except ParameterError:
+        return
+    assert all(np.isfinite(size.value) for size in found.sizes().values())
+    for part in (found.pinion, found.gear) if element is BevelPair else (found,):
+        exact = part.properties()
+        body = part.polyhedron()
+        triangles = np.asarray(body.faces)
+        assert edges_pair_up(triangles)
+        assert set(fans_at_vertices(triangles)) == {1}
+        approximate = body.properties()
+        assert exact.volume > 0.0
+        assert exact.error_bound < 1e-9
+        assert approximate.volume == pytest.approx(exact.volume, rel=0.01)
+
+
+@run
+@given(spur_gears())
+def test_spur_gears(case):
+    _built_or_refused(*case)
+
+
+@run
+@given(bevel_gears())
+def test_bevel_gears(case):
+    _built_or_refused(*case)
+
+
+@settings(run, max_examples=25)
+@given(bevel_pairs())
+def test_bevel_pairs(case):
+    _built_or_refused(*case)
+
+
+anything = st.one_of(
+    st.none(),
+    st.booleans(),
+    st.integers(-3, 10**6),
+    st.floats(),
+    st.text(max_size=3),
+    st.lists(st.floats(), max_size=3),
+    st.tuples(st.integers(0, 30), st.integers(0, 30)),
+)
+
+
+@pytest.mark.parametrize(
+    ("element", "base"),
+    [
+        (SpurGear, {"teeth": 16, "module": 8.0, "face_width": 50.0}),
+        (BevelGear, {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}),
+        (BevelPair, {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}),
+    ],
+    ids=lambda value: value.__name__ if isinstance(value, type) else "",
+)
+def test_anything_in_any_place_is_refused_or_taken(element, base):
+    names = list(element.__dataclass_fields__)
+
+    @settings(run, max_examples=250)
+    @given(st.dictionaries(st.sampled_from(names), anything, min_size=1, max_size=3))
+    def check(changes):
+        try:
+            element(**{**base, **changes})
+        except ParameterError:
+            return
+
+    check()
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1e-3, 1e3, 1e9])
+@pytest.mark.parametrize("element", [SpurGear, BevelGear], ids=lambda element: element.__name__)
+def test_size_does_not_matter(element, scale):
+    more = {} if element is SpurGear else {"pitch_angle": 50.0}
+    one, other = (
+        element(teeth=20, module=4.0 * s, face_width=15.0 * s, bore=20.0 * s, **more).properties() for s in (1.0, scale)
+    )
+    assert other.volume == pytest.approx(one.volume * scale**3, rel=1e-12)
+
+
+@pytest.mark.parametrize("excess", [1e-3, 1e-5, 1e-12, 0.0, -1e-12, -1e-9, -1e-6, -1e-3])
+def test_root_at_the_base_circle(excess):
+    """Where the radial piece of the flank is next to nothing the polyhedron stays a sensible one."""
+    dedendum = 64.0 - 64.0 * float(np.cos(np.radians(20.0))) + excess
+    gear = SpurGear(teeth=16, module=8.0, face_width=50.0, dedendum=dedendum)
+    assert gear.properties().volume == pytest.approx(669403.09, abs=10.0)
+    body = gear.polyhedron()
+    assert len(body.faces) < 30_000
+    assert body.properties().volume == pytest.approx(gear.properties().volume, rel=1e-3)
+
+
+@pytest.mark.parametrize("bore", [0.1, 3.0, 4.4, 4.9])
+@pytest.mark.parametrize("teeth", [3, 4, 5])
+def test_few_teeth_around_a_bore(teeth, bore):
+    """A sector is then a third of the whole, and its chord comes near the axis."""
+    gear = SpurGear(teeth=teeth, module=4.0, face_width=8.0, addendum=1.0, dedendum=3.4, bore=bore)
+    assert gear.polyhedron().properties().volume == pytest.approx(gear.properties().volume, rel=2e-3)

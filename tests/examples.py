@@ -1,0 +1,163 @@
+"""Parameter sets of every element in the catalog, for tests that state laws over all of them.
+
+A new element is covered once it has an entry in EXAMPLES; a test holds the catalog to that.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import pytest
+
+from gearwright import catalog
+from gearwright.boundary.extent import rough_diagonal as diagonal
+from gearwright.elements.element import Element
+from gearwright.solids.polyhedron import Polyhedron
+
+README_PAIR = {
+    "teeth": (16, 20),
+    "diametral_pitch": 2.0,
+    "length_unit": "in",
+    "face_width": 1.5,
+    "working_depth": 0.8,
+    "whole_depth": 0.85,
+    "gear_addendum": 0.4,
+}
+"""Al-Daccak 1989, table 3.1."""
+
+_SPIRAL = {"trace": "logarithmic", "spiral_angle": 35.0}
+
+EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
+    "spur gear": {
+        "root below the base circle": {"teeth": 16, "module": 8.0, "face_width": 50.0},
+        "root above the base circle, bored": {"teeth": 45, "module": 2.0, "face_width": 12.0, "bore": 20.0},
+        "three teeth": {"teeth": 3, "module": 5.0, "face_width": 4.0, "addendum": 2.0, "dedendum": 3.0},
+        "in inches, with backlash, long": {
+            "teeth": 12,
+            "diametral_pitch": 4.0,
+            "length_unit": "in",
+            "face_width": 9.0,
+            "pressure_angle": 25.0,
+            "circular_thickness": 0.4,
+            "backlash": 0.02,
+            "bore": 0.5,
+        },
+    },
+    "bevel gear": {
+        "pitch angle 45°": {"teeth": 20, "module": 4.0, "pitch_angle": 45.0, "face_width": 15.0},
+        "crown": {"teeth": 30, "module": 3.0, "pitch_angle": 90.0, "face_width": 12.0},
+        "spiral crown, bored": {
+            "teeth": 30,
+            "module": 3.0,
+            "pitch_angle": 90.0,
+            "face_width": 12.0,
+            "bore": 15.0,
+            "hand": "left",
+            **_SPIRAL,
+        },
+        "pitch angle 3°": {"teeth": 20, "module": 4.0, "pitch_angle": 3.0, "face_width": 30.0, "bore": 25.0},
+        "steep spiral, left": {
+            "teeth": 12,
+            "module": 5.0,
+            "pitch_angle": 20.0,
+            "face_width": 25.0,
+            "trace": "logarithmic",
+            "spiral_angle": 50.0,
+            "hand": "left",
+        },
+        "root above the base cone, backlash": {
+            "teeth": 44,
+            "module": 2.5,
+            "pitch_angle": 73.54,
+            "face_width": 16.0,
+            "pressure_angle": 25.0,
+            "backlash": 0.3,
+            "bore": 30.0,
+        },
+        "three teeth, down to near the apex": {
+            "teeth": 3,
+            "module": 8.0,
+            "mate_teeth": 9,
+            "shaft_angle": 70.0,
+            "face_width": 30.0,
+            "addendum": 3.0,
+            "dedendum": 5.0,
+        },
+    },
+    "bevel pair": {
+        "16/20 straight": README_PAIR,
+        "16/20 spiral": {**README_PAIR, **_SPIRAL},
+        "Σ 60°, spiral left, bored": {
+            "teeth": (18, 27),
+            "module": 3.0,
+            "shaft_angle": 60.0,
+            "face_width": 20.0,
+            "bore": (14.0, 22.0),
+            "hand": "left",
+            **_SPIRAL,
+        },
+        "Σ 110°, backlash": {
+            "teeth": (20, 31),
+            "module": 3.0,
+            "shaft_angle": 110.0,
+            "face_width": 14.0,
+            "backlash": 0.2,
+        },
+        "13/44 spiral": {
+            "teeth": (13, 44),
+            "module": 3.0,
+            "face_width": 18.0,
+            "gear_addendum": 2.4,
+            "bore": 12.0,
+            **_SPIRAL,
+        },
+    },
+}
+
+BY_NAME = {entry.name: entry for entry in catalog.ELEMENTS}
+
+
+@dataclass(frozen=True)
+class Part:
+    """One solid to hold to the laws: an element of one part, or one member of a pair."""
+
+    element: str
+    example: str
+    member: str | None = None
+
+    def __str__(self) -> str:
+        return " ".join(word for word in (self.element, self.example, self.member) if word)
+
+
+def parts_of(name: str) -> list[Part]:
+    """The parts of an element's examples."""
+    members = ("pinion", "gear") if BY_NAME[name].members == 2 else (None,)
+    return [Part(name, example, member) for example in EXAMPLES.get(name, {}) for member in members]
+
+
+PARTS = [part for name in BY_NAME for part in parts_of(name)]
+BEVEL_PARTS = [part for part in PARTS if part.element.startswith("bevel")]
+
+every_part = pytest.mark.parametrize("part", PARTS, ids=str)
+every_bevel_part = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)
+
+
+@cache
+def built(part: Part) -> Element:
+    """The part's element, built once a process."""
+    element = catalog.load(BY_NAME[part.element].source)(**EXAMPLES[part.element][part.example])
+    return getattr(element, part.member) if part.member else element
+
+
+@cache
+def size(part: Part) -> float:
+    """Diagonal of the part's bounding box."""
+    return diagonal(built(part).boundary)
+
+
+@cache
+def polyhedron(part: Part, relative_tolerance: float) -> Polyhedron:
+    """The part's polyhedron at a tolerance relative to its size, built once a process."""
+    return built(part).polyhedron(relative_tolerance * size(part))
