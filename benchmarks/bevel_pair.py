@@ -70,7 +70,9 @@ def main() -> None:
         )
         print(f"{name + ', properties':<24}{ours * 1e3:>25.1f} ms{theirs * 1e3:>25.0f} ms{theirs / ours:>11.0f}×")
         label = f"{name}, {count} tri."
-        print(f"{label:<24}{ours_triangles * 1e3:>25.1f} ms{tessellated * 1e3:>25.0f} ms{tessellated / ours_triangles:>11.0f}×")
+        print(
+            f"{label:<24}{ours_triangles * 1e3:>25.1f} ms{tessellated * 1e3:>25.0f} ms{tessellated / ours_triangles:>11.0f}×"
+        )
 
 
 if __name__ == "__main__":

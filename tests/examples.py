@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from gearwright import catalog
-from gearwright.boundary.extent import rough_diagonal as diagonal
+from gearwright.boundary.extent import rough_diagonal
 from gearwright.elements.element import Element
 from gearwright.solids.polyhedron import Polyhedron
 
@@ -154,7 +154,7 @@ def built(part: Part) -> Element:
 @cache
 def size(part: Part) -> float:
     """Diagonal of the part's bounding box."""
-    return diagonal(built(part).boundary)
+    return rough_diagonal(built(part).boundary)
 
 
 @cache

@@ -43,7 +43,11 @@ class Thing:
     ("parameter", "good", "bad"),
     [
         (COUNT, [2, 9], [1, 10, 2.5, float("nan"), float("inf"), "3", None, True, [3]]),
-        (LENGTH, [1e-300, 1, 2.5, 1e300], [0, -1e-300, float("nan"), float("-inf"), "1", None, False, (1.0,)]),
+        (
+            LENGTH,
+            [1e-12, 1, 2.5, 1e12],
+            [0, 1e-13, 1e13, 10**400, -1e-300, float("nan"), float("-inf"), "1", None, False, (1.0,)],
+        ),
         (ANGLE, [0, 0.0, 89.999999], [-1e-9, 90, 90.0, float("inf"), "9", None, True]),
         (WORD, ["this", "that"], ["", "THIS", "thisthat", None, 1, True]),
     ],

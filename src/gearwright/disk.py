@@ -17,7 +17,14 @@ _PATH_ERRORS = (FileNotFoundError, FileExistsError, IsADirectoryError, NotADirec
 
 
 def contents(path: str | Path) -> bytes:
-    """All bytes of a regular file.
+    """All bytes of a regular file. Raises FileError, MachineError as `opened`."""
+    with opened(path) as stream:
+        return stream.read()
+
+
+@contextmanager
+def opened(path: str | Path) -> Iterator[BinaryIO]:
+    """A stream of the bytes of a regular file.
 
     Raises FileError if there is no such file or it is a folder or device; MachineError if it cannot be read.
     """
@@ -27,13 +34,30 @@ def contents(path: str | Path) -> bytes:
             raise FileError(f"{path}: this is a folder; the name of a file is needed")
         if not stat.S_ISREG(mode):
             raise FileError(f"{path}: this is a device or pipe; copy what it gives into a file first")
-        return Path(path).read_bytes()
+        with Path(path).open("rb") as stream:
+            yield stream
     except FileNotFoundError:
         raise FileError(f"{path}: there is no such file; check the name and the folder") from None
     except _PATH_ERRORS as error:
         raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None
     except OSError as error:
         raise MachineError(f"{path}: cannot be read ({_reason(error)}); check its permissions and the disk") from error
+
+
+def folder(path: str | Path) -> Path:
+    """The folder of a name, made with those above it if it is not there yet.
+
+    Raises FileError if the name cannot be a folder's; MachineError if the disk or the permissions do not allow it.
+    """
+    try:
+        Path(path).mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        raise FileError(f"{path}: cannot be a folder, a file stands in its way; name another one") from None
+    except ValueError as error:
+        raise FileError(f"{path}: this cannot be a folder ({_reason(error)})") from None
+    except OSError as error:
+        raise MachineError(f"{path}: the folder cannot be made ({_reason(error)}); name another one") from error
+    return Path(path)
 
 
 @contextmanager
@@ -57,7 +81,9 @@ def written_whole(path: str | Path) -> Iterator[BinaryIO]:
             if target.exists():
                 temporary.chmod(stat.S_IMODE(target.stat().st_mode))
             temporary.replace(target)
-    except FileNotFoundError:
+    except FileNotFoundError as error:
+        if Path(path).parent.is_dir():
+            raise MachineError(f"{path}: cannot be written in this folder; name another one") from error
         raise FileError(f"{path}: there is no folder {Path(path).parent}; make it first") from None
     except _PATH_ERRORS as error:
         raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None

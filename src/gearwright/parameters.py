@@ -22,6 +22,7 @@ MILLIMETRES = {"mm": 1.0, "in": 25.4}
 """Length units a person may choose, in millimetres."""
 
 _KEY = "parameter"
+_LEAST, _MOST = 1e-12, 1e12  # lengths, whose fifth powers must stay numbers
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,10 +51,14 @@ class Parameter:
         if self.kind == "choice":
             return None if value in self.choices else f"choose one of {', '.join(self.choices)}"
         if not _is_number(value):
-            kind = {"str": "text", "NoneType": "nothing"}.get(type(value).__name__, type(value).__name__)
+            kind = {"str": "text", "NoneType": "nothing", "int": "one so large"}.get(
+                type(value).__name__, type(value).__name__
+            )
             return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"
         if not math.isfinite(value):
             return "a finite number is needed"
+        if self.unit in ("length", "mm", "per inch") and value > 0 and not _LEAST <= value <= _MOST:
+            return f"between {_LEAST:g} and {_MOST:g} is possible; is it in the right unit?"
         if self.kind == "integer" and not _is_whole(value):
             return "a whole number is needed"
         return self._limit_problem(float(value))
@@ -63,6 +68,8 @@ class Parameter:
         if self.kind == "choice":
             return value in self.choices
         if not _is_number(value) or not math.isfinite(value):
+            return False
+        if self.unit in ("length", "mm", "per inch") and value > _MOST:
             return False
         lowest = self.above if self.above is not None else 0.0 if self.minimum is not None else -math.inf
         inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest
@@ -134,11 +141,19 @@ def declarations(element: type) -> tuple[Declaration, ...]:
     )
 
 
+def rounded_down(value: float) -> str:
+    """A limit to four digits, never above it, so that what is followed is accepted."""
+    if value <= 0.0 or not math.isfinite(value):
+        return f"{value:.4g}"
+    step = 10.0 ** (math.floor(math.log10(value)) - 3)
+    return f"{math.floor(value / step) * step:.4g}"
+
+
 def in_words(value: object, unit: Unit, length_unit: str) -> str:
     """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°"."""
     if isinstance(value, tuple | list):
         return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
-    text = f"{value:.6g}" if isinstance(value, float) else str(value)
+    text = f"{value:.6g}" if isinstance(value, float) and unit else str(value)
     suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in", "": ""}[unit]
     return text + suffix if isinstance(value, Real) else repr(value)
 
@@ -244,9 +259,15 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
     return element(**{name: tuple(v) if isinstance(v, list) else v for name, v in values.items()})
 
 
-def _is_number(value: object) -> TypeGuard[float]:
-    """Whether a value is a real number, numpy's among them; True and False are not."""
-    return isinstance(value, Real) and not isinstance(value, bool)
+def _is_number(value: Any) -> TypeGuard[float]:
+    """Whether a value is a real number, numpy's among them; True and False are not, nor what no float can hold."""
+    if type(value) is bool or not isinstance(value, Real):
+        return False
+    try:
+        float(value)
+    except OverflowError:
+        return False
+    return True
 
 
 def _plain(value: object) -> object:

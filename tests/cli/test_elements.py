@@ -61,7 +61,7 @@ def test_all_problems_are_named_together(run):
     outcome = run("bevel", *options)
     assert outcome.code == 2
     assert outcome.out == ""
-    for text in ("module = -3", "face_width = nan", "straight, logarithmic", "abc"):
+    for text in ("module = -3", "--face-width = nan", "straight, logarithmic", "abc"):
         assert text in outcome.err
     assert "Traceback" not in outcome.err
 
@@ -70,21 +70,39 @@ def test_what_is_needed_is_named_together(run):
     outcome = run("bevel")
     assert outcome.code == 2
     assert "teeth: is needed" in outcome.err
-    assert "face_width: is needed" in outcome.err
+    assert "--face-width: is needed" in outcome.err
 
 
-def test_errors_are_shown_as_the_element_says_them(run):
-    outcome = run("bevel", *"--teeth 16 20 --module 4 --face-width -1".split())
+def test_errors_are_those_of_the_element_with_options_for_names(run):
+    outcome = run("bevel", *"--teeth 16 20 --module 4 --face-width 100 --gear-addendum 9".split())
     with pytest.raises(gearwright.ParameterError) as raised:
-        gearwright.BevelPair(teeth=(16, 20), module=4.0, face_width=-1.0)
+        gearwright.BevelPair(teeth=(16, 20), module=4.0, face_width=100.0, gear_addendum=9.0)
     assert outcome.code == 2
-    assert outcome.err.strip() == str(raised.value)
+    assert outcome.err.splitlines()[0] == "A bevel pair (--teeth with two numbers) cannot be built with these options:"
+    said = str(raised.value).replace("face_width", "--face-width").replace("gear_addendum", "--gear-addendum")
+    assert outcome.err.splitlines()[1:] == said.splitlines()[1:]
+
+
+def test_common_options_are_refused_together_with_the_others(run):
+    outcome = run("bevel", *"--teeth 16 2 --module 4 --face-width 10 --density -1 --tolerance 1 -o a.obj".split())
+    assert outcome.code == 2
+    for text in ("--teeth = (16, 2)", "--density = -1", "--output a.obj"):
+        assert text in outcome.err
+
+
+def test_what_is_unusual_is_noted(run):
+    options = "--teeth 16 20 --diametral-pitch 2 --working-depth 0.8 --whole-depth 0.85 --face-width".split()
+    outcome = run("bevel", *options, "30")
+    assert outcome.code == 0
+    assert "note: --working-depth = 0.8 mm is 0.063 modules of 12.7 mm; about 2 is usual" in outcome.err
+    assert "cone distance" not in outcome.err
+    assert "note: --face-width = 60 mm is 0.37 × the cone distance" in run("bevel", *options, "60").err
 
 
 def test_negative_numbers_are_values_not_options(run, pair_options):
     outcome = run("bevel", *pair_options, "--circular-thickness", 6.3, -0.3)
     assert outcome.code == 2
-    assert "circular_thickness = (6.3 mm, -0.3 mm)" in outcome.err
+    assert "--circular-thickness = (6.3 mm, -0.3 mm)" in outcome.err
 
 
 def test_three_values_are_too_many(run):

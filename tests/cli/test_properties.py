@@ -26,13 +26,28 @@ def test_properties_of_a_box(run, box):
 
 
 def test_json_has_a_line_for_each_file(run, box):
-    outcome = run("properties", box, box, "--json", "--density", 1000, "--length-unit", "in")
+    gearwright.Polyhedron.load(box).save(box, length_unit="in")
+    outcome = run("properties", box, box, "--json", "--density", 1000)
     lines = [json.loads(line) for line in outcome.out.splitlines()]
     assert [line["file"] for line in lines] == [str(box)] * 2
     assert lines[0]["volume"] == pytest.approx(24, rel=1e-12)
     assert lines[0]["length_unit"] == "in"
     assert lines[0]["mass"] == pytest.approx(24 * 0.016387064, rel=1e-12)
     assert lines[0]["products"]["xy"] == pytest.approx(lines[0]["mass"] * 1.0 * 1.5, rel=1e-12)
+
+
+def test_a_unit_against_the_file_s_own_is_refused(run, box):
+    outcome = run("properties", box, "--length-unit", "in")
+    assert outcome.code == 2
+    assert "its header says that lengths are in mm, not in" in outcome.err
+
+
+def test_a_file_without_a_unit_takes_the_one_asked_for(run, box):
+    data = bytearray(box.read_bytes())
+    data[:80] = b" " * 80
+    box.write_bytes(data)
+    assert json.loads(run("properties", box, "--json", "--length-unit", "in").out)["length_unit"] == "in"
+    assert json.loads(run("properties", box, "--json").out)["length_unit"] == "mm"
 
 
 def test_a_file_that_cannot_be_used_is_named_and_the_rest_is_done(run, box, tmp_path):

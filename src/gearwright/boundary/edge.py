@@ -13,6 +13,8 @@ from ..motions.ends import End, Ends
 from ..motions.motion import Motion
 from .pattern import ALONE, Pattern
 
+_POINT = 1e-13  # of the distance from the origin, within which a curve is a point
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Vertex:
@@ -42,7 +44,8 @@ class Edge:
     def degenerate(self) -> bool:
         """Whether the edge is a point: a pole or an apex."""
         middle = self.curve.point(self.curve.parameter([0.3, 0.6]))
-        return self.start is self.end and bool(np.all(middle == self.start.position))
+        away = np.max(np.abs(middle - self.start.position))
+        return self.start is self.end and bool(away <= _POINT * np.max(np.abs(self.start.position)))
 
     @property
     def closed(self) -> bool:

@@ -97,6 +97,7 @@ def _extremes_inside(cap: Cap) -> Iterator[Array]:
 
 
 def _sampled(cap: Cap, i: int) -> Array:
+    """Points around one loop of a cap, in its sense."""
     loop = cap.loops[i]
     fractions = np.arange(_LOOP_SAMPLES) / _LOOP_SAMPLES
     chain = [
@@ -104,7 +105,9 @@ def _sampled(cap: Cap, i: int) -> Array:
         for use in loop.uses
     ]
     points = loop.pattern.images(np.concatenate(chain))
-    return (points if loop.uses[-1].edge.end_turn >= 0 else np.roll(points[::-1], 1, axis=0)).reshape(-1, 3)
+    in_order = points if loop.uses[-1].edge.end_turn >= 0 else np.roll(points[::-1], 1, axis=0)
+    around = in_order.reshape(-1, 3)
+    return around[::-1] if loop.reverse else around
 
 
 def _winding(offsets: Array) -> float:

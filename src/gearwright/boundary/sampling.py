@@ -22,8 +22,9 @@ from .boundary import Boundary
 from .edge import Edge
 from .faces import Patch
 
-MOST_SEGMENTS = 20_000
-"""Segments of one edge beyond which a tolerance is taken for a slip."""
+MOST_TRIANGLES = 20_000_000
+"""Triangles of the patches beyond which a tolerance is taken for a slip."""
+_LEAST_TOLERANCE = 1e-300
 _FEWEST_CLOSED = 6  # segments of a closed edge, so that it still encloses something
 _MARGIN = 1.1  # the bounds above are taken at sample points
 _DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
@@ -54,12 +55,14 @@ class Sampling:
 def sampling(boundary: Boundary, tolerance: float) -> Sampling:
     """The coarsest sampling, about, whose chord error stays below the tolerance (length) everywhere.
 
-    Raises GeometryError if the tolerance is not positive or would need more than MOST_SEGMENTS segments.
+    Raises GeometryError if the tolerance is not positive or would need more than MOST_TRIANGLES triangles.
     """
-    if not tolerance > 0.0:
+    if not _LEAST_TOLERANCE < tolerance < np.inf:
         raise GeometryError(
-            "No polyhedron has this tolerance", [Problem(f"tolerance = {tolerance:g}", "must be greater than 0")]
+            "No polyhedron has this tolerance",
+            [Problem(f"tolerance = {tolerance:g}", "a finite length greater than 0 is needed")],
         )
+    tolerance = min(tolerance, _thinnest(boundary) / 4.0)  # beyond that opposite ends could cross
     groups = _Groups(boundary)
     segments: dict[Edge, int] = {}
     for along in dict.fromkeys(groups.of(patch.sides[1].edge) for patch in boundary.patches):
@@ -69,13 +72,23 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
         segments[along] = max(segments.get(along, 1), layers)
         for patch, bound in zip(patches, bounds, strict=True):
             across = groups.of(patch.sides[0].edge)
-            segments[across] = max(segments.get(across, 1), int(bound.columns(layers, tolerance)))
-    _require_possible(segments, tolerance)
+            columns = float(bound.columns(layers, tolerance))
+            cells = 2.0 * patch.pattern.order * columns * layers
+            if cells > MOST_TRIANGLES:
+                raise too_fine(tolerance, cells / MOST_TRIANGLES)
+            segments[across] = max(segments.get(across, 1), int(columns))
     for edge in boundary.edges:
         # an edge of no patch lies on the axis of a revolution, between its two caps, and is straight
         least = _FEWEST_CLOSED if edge.closed else 1
         segments[groups.of(edge)] = max(segments.get(groups.of(edge), 1), least)
-    return Sampling(segments={edge: segments[groups.of(edge)] for edge in boundary.edges}, tolerance=tolerance)
+    found = {edge: segments[groups.of(edge)] for edge in boundary.edges}
+    triangles = sum(
+        2.0 * patch.pattern.order * found[patch.sides[0].edge] * found[patch.sides[1].edge]
+        for patch in boundary.patches
+    )
+    if triangles > MOST_TRIANGLES:
+        raise too_fine(tolerance, triangles / MOST_TRIANGLES)
+    return Sampling(segments=found, tolerance=tolerance)
 
 
 def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: float) -> Sampling:
@@ -176,16 +189,23 @@ def _greatest(values: Array) -> float:
     return _MARGIN * float(np.max(values))
 
 
-def _require_possible(segments: Mapping[Edge, int], tolerance: float) -> None:
-    most = max(segments.values())
-    if most > MOST_SEGMENTS:
-        raise GeometryError(
-            "The tolerance asks for too fine a polyhedron",
-            [
-                Problem(
-                    f"tolerance = {tolerance:g}",
-                    f"one edge would need {most} segments, more than {MOST_SEGMENTS}; take at least "
-                    f"{tolerance * (most / MOST_SEGMENTS) ** 2:.3g}; is it in the part's length unit?",
-                )
-            ],
-        )
+def _thinnest(boundary: Boundary) -> float:
+    """Length of the shortest way of a section point through the motion, about."""
+    fractions = np.linspace(0.0, 1.0, 9)
+    lengths = []
+    for patch in boundary.patches:
+        edge = patch.sides[1].edge
+        if not edge.degenerate:
+            points = edge.curve.point(edge.curve.parameter(fractions))
+            lengths.append(float(np.sum(np.linalg.norm(np.diff(points, axis=0), axis=1))))
+    return min(lengths, default=np.inf)
+
+
+def too_fine(tolerance: float, excess: float) -> GeometryError:
+    """The refusal of a tolerance that would need `excess` times too many triangles."""
+    # a single curved direction, the worst case, needs segments as the root of the tolerance's inverse
+    given, least = f"tolerance = {tolerance:.3g}", f"{1.05 * tolerance * excess**2:.2g}"
+    return GeometryError(
+        "The tolerance asks for too fine a polyhedron",
+        [Problem(given, f"more than {MOST_TRIANGLES} triangles; try {least}, and is it in the part's length unit?")],
+    )

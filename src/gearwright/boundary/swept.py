@@ -19,6 +19,8 @@ from .edge import Edge, EdgeUse, Profile, Rail, Vertex
 from .faces import Cap, CapLoop, Patch
 from .pattern import ALONE, Pattern
 
+_ON_AXIS = 1e-14  # of a point's distance from the origin: cos 90° is 6e-17
+
 
 def swept_boundary(section: LoopedSection, motion: Motion, ends: Ends) -> Boundary:
     """Patches of every section curve and the two caps; faces are named "loop i.j", "start" and "finish"."""
@@ -87,13 +89,14 @@ class _SweptLoop:
 
     def _vertex(self, name: str, point: Array, station: End) -> Vertex:
         position = self.motion.place(point, station.value(point))
-        on_axis = bool(np.all(position[:2] == 0.0))
+        on_axis = bool(np.all(np.abs(position[:2]) <= _ON_AXIS * np.linalg.norm(position)))
         return Vertex(name=name, position=position, pattern=ALONE if on_axis else self._pattern)
 
     def _stationary(self, points: Array) -> bool:
         """Whether the motion leaves section points where they are, as a revolution does on its axis."""
         halfway = self.ends.value(points, np.full(points.shape[:-1], 0.5))
-        return bool(np.all(self.motion.velocity(points, halfway) == 0.0))
+        places, velocities = self.motion.place(points, halfway), self.motion.velocity(points, halfway)
+        return bool(np.all(np.abs(velocities) <= _ON_AXIS * np.max(np.abs(places))))
 
     def _sweeps_nothing(self, curve: Curve) -> bool:
         return self._stationary(curve.point(curve.parameter([0.0, 0.3, 0.7, 1.0])))

@@ -18,6 +18,8 @@ from ..arrays import Array, Indices
 from ..errors import GeometryError, Problem
 from ..surfaces.surface import Surface
 
+MOST_CELLS = 2_000_000
+"""Inner points of one face beyond which a tolerance is taken for a slip."""
 _GRADING = 0.6  # cell size by distance from the border: neighbours then differ by less than a factor of two
 _CLEARANCE = 0.6  # distance of inner points from the border, by the local spacing
 _SAMPLED = 0.9  # of the tolerance, where a triangle is sampled: what may lie between the samples is less
@@ -55,6 +57,17 @@ class Grading:
         cells = (low + high) / 2.0 + side * np.stack(np.meshgrid(*2 * [np.arange(4) - 1.5]), axis=-1).reshape(-1, 2)
         kept = []
         while len(cells):
+            if len(cells) > MOST_CELLS:
+                raise GeometryError(
+                    "The tolerance asks for too fine a polyhedron",
+                    [
+                        Problem(
+                            f"tolerance = {self.tolerance:.3g}",
+                            f"an end face would need more than {MOST_CELLS} points; "
+                            "take a larger one, and is it in the part's length unit?",
+                        )
+                    ],
+                )
             wanted, clearance = self.size(cells)
             fits = side <= wanted
             kept.append(cells[fits & (clearance > _CLEARANCE)])
@@ -117,7 +130,7 @@ def _delaunay(points: Array, constraints: Indices) -> Indices:
     except RuntimeError as error:
         raise GeometryError(
             "An end face cannot be triangulated",
-            [Problem("its loops", f"cross or touch when sampled ({error}); a finer tolerance keeps them apart")],
+            [Problem("its loops", "cross or touch when sampled; a finer tolerance or a thicker wall keeps them apart")],
         ) from error
     triangulation.erase_outer_triangles_and_holes()
     return triangulation.triangles_array()["vertices"].astype(np.int64)

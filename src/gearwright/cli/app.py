@@ -5,6 +5,7 @@ from __future__ import annotations
 import shlex
 import sys
 from collections.abc import Sequence
+from io import TextIOWrapper
 
 import cyclopts
 
@@ -51,6 +52,9 @@ def _help(command: str) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line on the arguments (those of the process, if None) and gives the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a code page without ² or δ must not stop an answer
     try:
         code = build()(words)
         sys.stdout.flush()

@@ -53,7 +53,7 @@ def units_and_density(length_unit: str, density: float | None) -> tuple[Units, f
     """Units of the properties and density in mass per cubed length unit, from kg/m³ or None."""
     if density is None:
         return Units(length=length_unit, mass=f"{length_unit}^3"), 1.0
-    return Units(length=length_unit, mass="kg"), density * (MILLIMETRES[length_unit] * 1e-3) ** 3
+    return Units(length=length_unit, mass="kg"), density / (1e3 / MILLIMETRES[length_unit]) ** 3
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..errors import FileError, Problem, ProblemsError
+from ..errors import Problem, ProblemsError
 from ..parameters import Parameter
 from .options import OUTPUT, option_name
 
@@ -21,27 +21,32 @@ TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
 
 
-def require_sound(values: Mapping[str, tuple[float | None, Parameter]]) -> None:
-    """Refuses common options outside their limits, all together. Raises ProblemsError."""
-    problems = [
+def unsound(values: Mapping[str, tuple[float | None, Parameter]]) -> list[Problem]:
+    """Common options outside their limits."""
+    return [
         Problem(f"{option_name(name)} = {value:g}", problem)
         for name, (value, parameter) in values.items()
         if value is not None and (problem := parameter.problem(value))
     ]
+
+
+def require_sound(values: Mapping[str, tuple[float | None, Parameter]]) -> None:
+    """Refuses common options outside their limits, all together. Raises ProblemsError."""
+    problems = unsound(values)
     if problems:
         raise ProblemsError("These options cannot be used", problems)
 
 
-def require_suffix(path: Path, suffixes: Sequence[str]) -> None:
-    """Refuses a file whose suffix is not one of those. Raises FileError."""
-    if path.suffix.lower() not in suffixes:
-        kinds = ", ".join(suffixes)
-        raise FileError(f"{path}: a file of this kind is not written here; name one that ends in {kinds}")
+def _wrong_suffix(name: str, path: Path | None, suffixes: Sequence[str]) -> list[Problem]:
+    """A file whose suffix is not one of those."""
+    if path is None or path.suffix.lower() in suffixes:
+        return []
+    return [Problem(f"{option_name(name)} {path}", f"no such files are written here, but {', '.join(suffixes)}")]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Outputs:
-    """Options common to all elements. Raises ProblemsError and FileError."""
+    """Options common to all elements; whether they can be used is the question of `problems`."""
 
     json: Annotated[bool, Option(help="Print JSON instead of tables.", negative=(), show_default=False)] = False
     output: Annotated[
@@ -69,21 +74,31 @@ class Outputs:
     ] = None
     density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None
 
-    def __post_init__(self) -> None:
-        require_sound(
-            {"density": (self.density, DENSITY), "tolerance": (self.tolerance, TOLERANCE), "turn": (self.turn, TURN)}
-        )
-        if self.output is not None and self.output.suffix:
-            require_suffix(self.output, [f.suffix for f in catalog.FILE_FORMATS if f.writer])
-        if self.picture is not None:
-            require_suffix(self.picture, [".png"])
-
-    def require_no_pair_options(self, kind: str) -> None:
-        """Refuses what only a pair has. Raises ProblemsError."""
-        given = {"placed": self.placed, "turn": self.turn is not None}
-        found = [Problem(option_name(name), "applies to a pair") for name, present in given.items() if present]
-        if found:
-            raise ProblemsError(f"A single {kind} cannot be built with these options", found)
+    def problems(self, members: int) -> list[Problem]:
+        """What is wrong with these options, for an element of so many members."""
+        written = [f.suffix for f in catalog.FILE_FORMATS if f.writer]
+        file = self.output if self.output is not None and self.output.suffix else None
+        nameless = [name for name in ("output", "picture") if getattr(self, name) == Path()]
+        limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN}
+        pairs_only = {"placed": self.placed, "turn": self.turn is not None}
+        files_only = {"placed": self.placed, "tolerance": self.tolerance is not None}
+        writes = self.output is not None or self.picture is not None
+        return [
+            *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
+            *(Problem(option_name(name), "a name is needed") for name in nameless),
+            *_wrong_suffix("output", file, written),
+            *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
+            *(
+                Problem(option_name(name), "applies to a pair")
+                for name, given in pairs_only.items()
+                if given and members == 1
+            ),
+            *(
+                Problem(option_name(name), "applies to files and pictures; none is asked for")
+                for name, given in files_only.items()
+                if given and not writes
+            ),
+        ]
 
 
 DEFAULT = Outputs()

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .. import catalog
-from ..errors import Problem, ProblemsError
+from ..errors import ParameterError, Problem, ProblemsError
 from ..parameters import declarations, from_mapping
 from .built import Built, Gear, Part, units_and_density
 from .common_options import DEFAULT, FLATTENED, Outputs
@@ -20,6 +20,7 @@ from .json_output import built_json
 from .options import given_values, offered, option_name, signature_parameters, teeth_given
 from .outputs import write
 from .report import show_built
+from .wording import in_options, text_in_options
 
 Words = Mapping[str, Sequence[str] | None]
 
@@ -40,10 +41,12 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
     def run(*, outputs: Outputs = DEFAULT, **words: Sequence[str] | None) -> int:
         kind = _chosen(kinds, words)
         values = given_values(parameters, words)
-        _refuse_others(kind, [one for one in kinds if one != kind], values)
-        built = _built(kind, values, outputs)
+        element = _element(kind, kinds, values, outputs)
+        built = _built(kind, element, outputs)
         written = write(built, outputs)
         print(built_json(built)) if outputs.json else show_built(built)
+        for remark in element.remarks:
+            print(f"note: {text_in_options(remark, _names(kind))}", file=sys.stderr)
         for path in written:
             print(f"wrote {path}", file=sys.stderr)
         return DONE
@@ -62,27 +65,33 @@ def _chosen(kinds: Sequence[catalog.Element], words: Words) -> catalog.Element:
     return next((kind for kind in kinds if kind.members == members), kinds[0])
 
 
-def _refuse_others(kind: catalog.Element, others: Sequence[catalog.Element], values: Mapping[str, Any]) -> None:
-    """Refuses options that only another of the command's kinds has. Raises ProblemsError."""
+def _element(
+    kind: catalog.Element, kinds: Sequence[catalog.Element], values: Mapping[str, Any], outputs: Outputs
+) -> Any:
+    """The element. Raises ProblemsError with all that is wrong with its options and the common ones."""
     own = _names(kind)
-    found = [
+    problems = [
         Problem(option_name(name), f"applies to a {other.name} ({teeth_given(other)})")
-        for other in others
+        for other in kinds
+        if other != kind
         for name in values
         if name in _names(other) and name not in own
     ]
-    if found:
-        raise ProblemsError(f"A {kind.name} ({teeth_given(kind)}) cannot be built with these options", found)
+    try:
+        element = from_mapping(catalog.load(kind.source), {name: v for name, v in values.items() if name in own})
+    except ParameterError as error:
+        problems += in_options(error.problems, kinds)
+    problems += outputs.problems(kind.members)
+    if problems:
+        raise ProblemsError(f"A {kind.name} ({teeth_given(kind)}) cannot be built with these options", problems)
+    return element
 
 
 def _names(kind: catalog.Element) -> set[str]:
     return {d.name for d in declarations(catalog.load(kind.source))}
 
 
-def _built(kind: catalog.Element, values: Mapping[str, Any], outputs: Outputs) -> Built:
-    if kind.members == 1:
-        outputs.require_no_pair_options(kind.name)
-    element = from_mapping(catalog.load(kind.source), values)
+def _built(kind: catalog.Element, element: Any, outputs: Outputs) -> Built:
     if kind.members == 1:
         gears: dict[str, Gear] = {kind.name: element}
         placements = [np.eye(4)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from collections.abc import Mapping
 from typing import Any
 
@@ -31,8 +32,9 @@ def properties_json(properties: MassProperties, units: Units) -> dict[str, Any]:
 
 
 def json_line(document: Mapping[str, Any], indent: int | None = None) -> str:
-    """JSON text; arrays as lists, what is not finite as null."""
-    return json.dumps(_plain(document), indent=indent, ensure_ascii=False, allow_nan=False)
+    """JSON text; arrays as lists, what is not finite as null, Greek letters escaped where stdout has none."""
+    has_greek = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+    return json.dumps(_plain(document), indent=indent, ensure_ascii=not has_greek, allow_nan=False)
 
 
 def _part(part: Part, units: Units) -> dict[str, Any]:

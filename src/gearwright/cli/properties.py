@@ -8,7 +8,8 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter as Option
 
-from ..errors import GearwrightError
+from ..errors import FileError, GearwrightError
+from ..files.stl import stated_unit
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from .built import Units, units_and_density
@@ -24,23 +25,34 @@ def properties(
         bool, Option(help="Print one line of JSON for each file.", negative=(), show_default=False)
     ] = False,
     density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None,
-    length_unit: Annotated[Literal["mm", "in"], Option(help="Unit of the lengths in the files.")] = "mm",
+    length_unit: Annotated[
+        Literal["mm", "in"] | None, Option(help="Unit of the lengths in files that state none.", show_default="mm")
+    ] = None,
 ) -> int:
     """Volume, centroid and inertia of closed polyhedra.
 
     A file that cannot be used is named on stderr; the others are still done.
     """
     require_sound({"density": (density, DENSITY)})
-    units, kernel_density = units_and_density(length_unit, density)
     worst = DONE
     for file in files:
         try:
-            found = Polyhedron.load(file).properties(kernel_density)
+            polyhedron = Polyhedron.load(file)
+            units, kernel_density = units_and_density(_unit(file, length_unit), density)
+            found = polyhedron.properties(kernel_density)
         except (GearwrightError, OSError) as error:
             worst = max(worst, report(error, "gearwright properties", subject=str(file)))
         else:
             _show(file, found, units, json)
     return worst
+
+
+def _unit(file: Path, asked: str | None) -> str:
+    """The unit that the file states, else the one asked for, else mm. Raises FileError where they differ."""
+    stated = stated_unit(file)
+    if stated and asked and stated != asked:
+        raise FileError(f"{file}: its header says that lengths are in {stated}, not {asked}; leave out --length-unit")
+    return stated or asked or "mm"
 
 
 def _show(file: Path, found: MassProperties, units: Units, json: bool) -> None:

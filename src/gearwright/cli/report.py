@@ -12,6 +12,7 @@ from rich import box
 from rich.console import Console, RenderableType
 from rich.table import Table
 
+from ..arrays import Array
 from ..parameters import Size
 from ..solids.properties import MassProperties
 from .built import Built, Units
@@ -83,17 +84,30 @@ def _property_values(properties: MassProperties, units: Units) -> dict[str, tupl
         rows["mass"] = ("kg", number(properties.mass))
     if properties.area is not None and np.isfinite(properties.area):
         rows["surface area"] = (_power(length, 2), number(properties.area))
-    for axis, value in zip("xyz", properties.centroid, strict=True):
+    for axis, value in zip("xyz", _without_noise(properties.centroid, _reach(properties)), strict=True):
         rows[f"centroid {axis}"] = (length, number(value))
-    for about, tensor in (("centroid", properties.central_inertia), ("origin", properties.inertia)):
+    for about, inertia_about in (("centroid", properties.central_inertia), ("origin", properties.inertia)):
+        tensor = _without_noise(inertia_about, float(np.linalg.norm(inertia_about)))
         for name, (i, j) in _COMPONENTS.items():
             rows[f"{name} about the {about}"] = (inertia, number(tensor[i, j]))
     for index, value in enumerate(properties.principal_moments, start=1):
         rows[f"principal moment {index}"] = (inertia, number(value))
     rows["found by"] = ("", properties.method)
+    rows["relative error at most"] = ("", number(properties.error_bound, digits=1))
     return rows
 
 
+def _reach(properties: MassProperties) -> float:
+    """A length of the body: its farthest radius of gyration or its distance from the origin."""
+    return float(max(np.max(properties.radii_of_gyration), np.max(np.abs(properties.centroid))))
+
+
+def _without_noise(values: Array, scale: float) -> Array:
+    """Values with those nought that are only rounding, measured by a scale of theirs."""
+    return np.where(np.abs(values) <= _NOISE * scale, 0.0, values)
+
+
+_NOISE = 1e-14  # no more than some roundings of the largest value
 _COMPONENTS = {"Ixx": (0, 0), "Iyy": (1, 1), "Izz": (2, 2), "Ixy": (0, 1), "Iyz": (1, 2), "Izx": (2, 0)}
 
 

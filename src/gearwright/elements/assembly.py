@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Array
+from ..disk import folder
 from ..solids.polyhedron import Polyhedron
 
 
@@ -38,11 +39,10 @@ def save_parts(parts: Sequence[PlacedPart], path: Path, length_unit: str, *, pla
     Gives the files written. Raises FileError, MachineError.
     """
     if path.suffix:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        folder(path.parent)
         _together([part.placed for part in parts]).save(path, length_unit=length_unit)
         return [path]
-    path.mkdir(parents=True, exist_ok=True)
-    files = [path / f"{part.name.replace(' ', '-')}.stl" for part in parts]
+    files = [folder(path) / f"{part.name.replace(' ', '-')}.stl" for part in parts]
     for part, file in zip(parts, files, strict=True):
         (part.placed if placed else part.polyhedron).save(file, length_unit=length_unit)
     return files
@@ -57,7 +57,7 @@ def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit:
         for i, part in enumerate(parts)
         for body in [part.placed]
     ]
-    path.parent.mkdir(parents=True, exist_ok=True)
+    folder(path.parent)
     picture(bodies, path, title=title, length_unit=length_unit)
 
 

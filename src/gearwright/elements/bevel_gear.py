@@ -14,20 +14,21 @@ from ..curves.trace import LogarithmicTrace, StraightTrace, Trace
 from ..motions.ends import between
 from ..motions.radial import Radial
 from ..motions.revolution import FULL_TURN, Revolution
-from ..parameters import Problems, Size, declared
+from ..parameters import Problems, Size, declared, rounded_down
 from ..sections.loop import Loop
 from ..sections.plane import Section
 from ..solids.composite import Composite
 from ..solids.solid import Solid
 from ..solids.swept import Swept
 from . import declarations as d
-from . import refusals
+from . import refusals, remarks
 from .bevel_tooth import BevelTooth
-from .element import Element, module_in, require_one_pitch
+from .element import Element, module_in, require_angle_of_trace, require_one_pitch
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _OF_THE_BLANK = ("face_width", "addendum", "dedendum")
+_OF_THE_TOOTH = ("addendum", "dedendum", "pressure_angle", "circular_thickness", "backlash")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,13 +66,14 @@ class BevelGear(Element):
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
         self._check_cone(problems)
-        if self.trace == "straight" and self.spiral_angle:
-            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
+        require_angle_of_trace(problems, self.trace, self.spiral_angle)
         if problems.computable(*_OF_THE_CONE, *_OF_THE_BLANK) and problems.sound(
             "module", "pitch_angle", "shaft_angle"
         ):
             self._check_blank(problems)
-        if problems.sound():
+        if problems.computable(*_OF_THE_CONE, *_OF_THE_TOOTH) and problems.sound(
+            "module", "pitch_angle", "shaft_angle", "dedendum"
+        ):
             self._check_tooth(problems)
         problems.raise_any()
 
@@ -99,13 +101,13 @@ class BevelGear(Element):
             )
         if self.root_angle <= 0.0:
             limit = self.cone_distance * np.tan(self.pitch_cone_angle)
-            problems.add("dedendum", f"the root cone would pass the axis; less than {limit:.4g} {unit}")
+            problems.add("dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")
         elif self.bore is not None and problems.sound("face_width", "bore"):
             limit = 2.0 * self.inner_distance * np.sin(self.root_angle)
             if self.bore >= limit:
                 problems.add(
                     "bore",
-                    refusals.bore_in_roots(limit, unit),
+                    refusals.bore_in_roots("root diameter at the small end", limit, unit),
                 )
 
     def _check_tooth(self, problems: Problems) -> None:
@@ -210,6 +212,14 @@ class BevelGear(Element):
         sense = 1.0 if self.hand == "right" else -1.0
         rate = sense * np.tan(np.radians(self.spiral_angle)) / np.sin(self.pitch_cone_angle)
         return LogarithmicTrace(rate=float(rate), mean_distance=self.mean_distance)
+
+    @property
+    def remarks(self) -> list[str]:
+        unit = self.length_unit
+        return [
+            *remarks.wide_face(self.face_width, self.cone_distance, unit),
+            *remarks.unusual_depth("addendum", self.outer_addendum, self.outer_module, unit, 1),
+        ]
 
     @property
     def description(self) -> str:

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Array
-from ..parameters import Problems, Size, declared, member_value
+from ..parameters import Problems, Size, declared, member_value, rounded_down
 from . import declarations as d
-from . import refusals
+from . import refusals, remarks
 from .assembly import PlacedPart, draw_parts, save_parts
 from .bevel_gear import BevelGear, pitch_cone_angle
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
-from .element import module_in, require_one_pitch
+from .element import module_in, require_angle_of_trace, require_one_pitch
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
 _OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
@@ -55,8 +55,7 @@ class BevelPair:
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        if self.trace == "straight" and self.spiral_angle:
-            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
+        require_angle_of_trace(problems, self.trace, self.spiral_angle)
         computable = (
             problems.counted() and problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
         )
@@ -98,7 +97,7 @@ class BevelPair:
                 problems.add(
                     "gear_addendum" if name == "gear" else "working_depth",
                     f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, "
-                    f"would meet its mate below the base cone; at most {most:.4g} {unit} there "
+                    f"would meet its mate below the base cone; at most {rounded_down(most)} {unit} there "
                     "(more teeth or a larger pressure angle allow more)",
                 )
         pitch = np.pi * self.pinion.outer_module
@@ -165,6 +164,16 @@ class BevelPair:
     def gear(self) -> BevelGear:
         """The second member, in its own frame."""
         return self._member(1)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is unusual about the pair, though it can be built."""
+        unit = self.length_unit
+        return [
+            *remarks.wide_face(self.face_width, self.pinion.cone_distance, unit),
+            *remarks.unusual_depth("working_depth", self._working_depth, self._module, unit, 2),
+            *remarks.low_contact_ratio(contact_ratio(self.pinion.tooth, self.gear.tooth)),
+        ]
 
     @property
     def description(self) -> str:

@@ -8,9 +8,7 @@ TEETH = Parameter(meaning="number of teeth", kind="integer", symbol="z", minimum
 MATE_TEETH = Parameter(meaning="number of teeth of the mate", kind="integer", symbol="z", minimum=3, maximum=10_000)
 MODULE = Parameter(meaning="module, always in mm", unit="mm", symbol="m", above=0)
 DIAMETRAL_PITCH = Parameter(meaning="teeth per inch of pitch diameter", unit="per inch", symbol="P_d", above=0)
-FACE_WIDTH = Parameter(
-    meaning="width of the teeth, along the cone where they are on one", unit="length", symbol="b", above=0
-)
+FACE_WIDTH = Parameter(meaning="face width, the length of the teeth", unit="length", symbol="b", above=0)
 PRESSURE_ANGLE = Parameter(meaning="transverse pressure angle", unit="angle", symbol="α", above=0, below=60)
 SHAFT_ANGLE = Parameter(meaning="angle between the axes", unit="angle", symbol="Σ", above=0, below=180)
 PITCH_ANGLE = Parameter(meaning="half-angle of the pitch cone", unit="angle", symbol="δ", above=0, maximum=90)
@@ -20,19 +18,21 @@ WORKING_DEPTH = Parameter(meaning="sum of the members' addenda", unit="length", 
 WHOLE_DEPTH = Parameter(meaning="addendum and dedendum of a member", unit="length", symbol="h", above=0)
 GEAR_ADDENDUM = Parameter(meaning="addendum of the gear, the second member", unit="length", symbol="h_a2", above=0)
 CIRCULAR_THICKNESS = Parameter(
-    meaning="arc thickness of a tooth on the pitch circle, the outer one of a cone; half the pitch if not given",
+    meaning="arc thickness of a tooth on the (outer) pitch circle; half the pitch if not given",
     unit="length",
     symbol="s",
     above=0,
 )
 BACKLASH = Parameter(
-    meaning="circular backlash on the pitch circle, the outer one of a cone; half from each member",
+    meaning="circular backlash on the (outer) pitch circle, half from each member",
     unit="length",
     symbol="j_t",
     minimum=0,
 )
-BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_b", above=0)
-TRACE = Parameter(meaning="tooth trace along the face", kind="choice", choices=("straight", "logarithmic"))
+BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_bore", above=0)
+TRACE = Parameter(
+    meaning="tooth trace along the face; logarithmic is a spiral", kind="choice", choices=("straight", "logarithmic")
+)
 SPIRAL_ANGLE = Parameter(
     meaning="spiral angle at the mean cone distance", unit="angle", symbol="β_m", minimum=0, maximum=75
 )

@@ -36,6 +36,11 @@ class Element(ABC):
         """Derived sizes by name."""
 
     @property
+    def remarks(self) -> list[str]:
+        """What is unusual about the part, though it can be built."""
+        return []
+
+    @property
     def boundary(self) -> Boundary:
         return self.solid.boundary
 
@@ -67,3 +72,12 @@ def require_one_pitch(problems: Problems, module: float | None, diametral_pitch:
     """Adds a problem unless exactly one of module and diametral pitch is given."""
     if (module is None) == (diametral_pitch is None):
         problems.add("module", refusals.ONE_PITCH)
+
+
+def require_angle_of_trace(problems: Problems, trace: str, spiral_angle: float) -> None:
+    """Adds a problem unless a spiral trace, and only one, has a spiral angle."""
+    if problems.sound("trace", "spiral_angle"):
+        if trace == "straight" and spiral_angle:
+            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
+        elif trace != "straight" and not spiral_angle:
+            problems.add("spiral_angle", refusals.LOGARITHMIC_WITHOUT_ANGLE)

@@ -4,31 +4,36 @@ from __future__ import annotations
 
 import numpy as np
 
-ONE_PITCH = "give either the module (mm) or the diametral pitch (per inch), not both and not neither"
+from ..parameters import rounded_down
+
+ONE_PITCH = "give one of module (mm) and diametral_pitch (per inch)"
+LOGARITHMIC_WITHOUT_ANGLE = 'a logarithmic trace needs one, such as 35; teeth without one are trace "straight"'
 STRAIGHT_WITH_ANGLE = 'a straight trace has none; choose trace "logarithmic", or leave it out'
 
 
 def pointed_tooth(limit: float, unit: str) -> str:
     """The addendum at which the flanks meet is exceeded."""
     return (
-        f"the tooth comes to a point before its tip; less than {limit:.4g} {unit} "
+        f"the tooth comes to a point before its tip; less than {rounded_down(limit)} {unit} "
         "(a smaller pressure angle or a thicker tooth allows more)"
     )
 
 
 def meeting_teeth(limit: float, unit: str) -> str:
     """The thickness at which neighbouring flanks meet is exceeded."""
-    return f"neighbouring teeth meet above the root; less than {max(limit, 0.0):.4g} {unit}, usually half the pitch"
+    if limit <= 0.0:
+        return "neighbouring teeth meet above the root, however thin; take a smaller pressure angle or dedendum"
+    return f"neighbouring teeth meet above the root; less than {rounded_down(limit)} {unit}, usually half the pitch"
 
 
 def no_tooth_left(limit: float, unit: str) -> str:
     """Backlash takes the whole tooth."""
-    return f"leaves no tooth; less than {limit:.4g} {unit}"
+    return f"leaves no tooth; less than {rounded_down(limit)} {unit}"
 
 
-def bore_in_roots(limit: float, unit: str) -> str:
+def bore_in_roots(diameter: str, limit: float, unit: str) -> str:
     """The bore reaches the root diameter."""
-    return f"cuts into the tooth roots; less than the root diameter (at the small end), {limit:.4g} {unit}"
+    return f"cuts into the tooth roots; less than the {diameter}, {rounded_down(limit)} {unit}"
 
 
 def no_involute(what: str) -> str:

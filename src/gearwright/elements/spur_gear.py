@@ -9,15 +9,16 @@ import numpy as np
 
 from ..motions.ends import between
 from ..motions.straight import Straight
-from ..parameters import Problems, Size, declared
+from ..parameters import Problems, Size, declared, rounded_down
 from ..solids.solid import Solid
 from ..solids.swept import Swept
 from . import declarations as d
-from . import refusals
+from . import refusals, remarks
 from .element import Element, module_in, require_one_pitch
 from .spur_tooth import SpurTooth
 
 _OF_THE_BLANK = ("teeth", "module", "diametral_pitch", "dedendum", "circular_thickness", "backlash", "length_unit")
+_OF_THE_TOOTH = ("addendum", "pressure_angle")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,18 +49,17 @@ class SpurGear(Element):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if problems.computable(*_OF_THE_BLANK) and problems.sound("module"):
             self._check_blank(problems)
-        if problems.sound():
+        if problems.computable(*_OF_THE_BLANK, *_OF_THE_TOOTH) and problems.sound("module", "dedendum", "backlash"):
             self._check_tooth(problems)
         problems.raise_any()
 
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
         if self.root_radius <= 0.0:
-            problems.add(
-                "dedendum", f"the root circle vanishes; less than the pitch radius, {self.pitch_radius:.4g} {unit}"
-            )
+            least = f"less than the pitch radius, {rounded_down(self.pitch_radius)} {unit}"
+            problems.add("dedendum", f"the root circle vanishes; {least}")
         elif self.bore is not None and problems.sound("bore") and self.bore >= 2.0 * self.root_radius:
-            problems.add("bore", refusals.bore_in_roots(2.0 * self.root_radius, unit))
+            problems.add("bore", refusals.bore_in_roots("root diameter", 2.0 * self.root_radius, unit))
         if self.nominal_thickness <= self.backlash / 2.0:
             problems.add("backlash", refusals.no_tooth_left(2.0 * self.nominal_thickness, unit))
 
@@ -118,6 +118,11 @@ class SpurGear(Element):
             root_radius=self.root_radius,
             thickness=self.thickness / self.pitch_radius,
         )
+
+    @property
+    def remarks(self) -> list[str]:
+        addendum = self.tip_radius - self.pitch_radius
+        return remarks.unusual_depth("addendum", addendum, self.transverse_module, self.length_unit, 1)
 
     @property
     def description(self) -> str:

@@ -6,6 +6,7 @@ single precision: about seven digits of the distance from the origin.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,8 @@ _START = _HEADER + 4
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _MOST = 2**32 - 1
 _BLOCK = 1 << 18
+_ABSURD = 1000  # times more than the file has: what stands for a count is none
+_UNIT = re.compile(rb"lengths in (mm|in)\b")
 
 _NOUGHT = 2.0**-46
 """A coordinate this small relative to the largest one is a rounding error of 0 in the program that wrote it.
@@ -84,6 +87,8 @@ def _refuse_length(path: str, size: int, count: int) -> None:
             f"{path}: {size} bytes that are no STL file; a binary one has at least {_START}, a text one begins with"
             ' "solid"'
         )
+    if count * _RECORD.itemsize > _ABSURD * size:
+        raise FileError(f'{path}: this is no STL file: neither text that begins with "solid" nor a binary one')
     whole, rest = divmod(size - _START, _RECORD.itemsize)
     needed = _START + count * _RECORD.itemsize
     cause = "the file is cut off, or it is no STL file" if size < needed else "the count is wrong, or it is no STL file"
@@ -91,6 +96,16 @@ def _refuse_length(path: str, size: int, count: int) -> None:
         f"{path}: not a whole STL file: its header announces {count} triangles, which take {needed} bytes, but it has"
         f" {size}, room for {whole} triangles{f' and {rest} bytes' if rest else ''}; {cause}; write or copy it again"
     )
+
+
+def stated_unit(path: str | Path) -> str | None:
+    """The length unit that a file of ours states in its header; None where there is none, as in most STL files.
+
+    Raises FileError, MachineError as `read`.
+    """
+    with disk.opened(path) as stream:
+        found = _UNIT.search(stream.read(_HEADER))
+    return found[1].decode() if found else None
 
 
 def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit: str = "mm") -> None:

@@ -28,7 +28,7 @@ def converged(integral: Callable[[int], Array]) -> tuple[Array, float]:
         value = following
         if change <= _ROUNDING:
             break
-    return value, max(change, float(np.finfo(float).eps))
+    return value, max(change, 2.0 * float(np.finfo(float).eps))
 
 
 _RULES: dict[int, tuple[Array, Array]] = {}

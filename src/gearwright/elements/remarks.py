@@ -1,0 +1,29 @@
+"""What is unusual about a gear that can be built: likely slips and poor practice, said but not refused."""
+
+from __future__ import annotations
+
+_WIDEST_FACE = 0.35  # of the cone distance; wider teeth carry no more load (ISO 23509, AGMA 2005)
+_DEPTHS = (0.6, 1.4)  # an addendum in modules: stub teeth have 0.8, deep ones 1.2
+
+
+def wide_face(face_width: float, cone_distance: float, unit: str) -> list[str]:
+    """A bevel gear's face wider than is of use."""
+    if face_width <= _WIDEST_FACE * cone_distance:
+        return []
+    given = f"face_width = {face_width:.4g} {unit} is {face_width / cone_distance:.2g} × the cone distance"
+    return [f"{given}, {cone_distance:.4g} {unit}; more than {_WIDEST_FACE} × is seldom of use"]
+
+
+def unusual_depth(name: str, depth: float, module: float, unit: str, addenda: int) -> list[str]:
+    """A depth of so many addenda far from the usual: often a mix of millimetres and inches."""
+    if _DEPTHS[0] * addenda <= depth / module <= _DEPTHS[1] * addenda:
+        return []
+    given = f"{name} = {depth:.4g} {unit} is {depth / module:.2g} modules of {module:.4g} {unit}"
+    return [f"{given}; about {addenda} is usual; are all lengths in {unit}?"]
+
+
+def low_contact_ratio(ratio: float) -> list[str]:
+    """Teeth that leave each other before the next ones meet."""
+    if ratio >= 1.0:
+        return []
+    return [f"the transverse contact ratio is {ratio:.3g}: below 1 only the overlap of spiral teeth keeps contact"]
