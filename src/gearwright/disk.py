@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import stat
@@ -41,6 +42,7 @@ def opened(path: str | Path) -> Iterator[BinaryIO]:
     except _PATH_ERRORS as error:
         raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None
     except OSError as error:
+        _refuse_long_name(path, error)
         raise MachineError(f"{path}: cannot be read ({_reason(error)}); check its permissions and the disk") from error
 
 
@@ -88,6 +90,7 @@ def written_whole(path: str | Path) -> Iterator[BinaryIO]:
     except _PATH_ERRORS as error:
         raise FileError(f"{path}: this cannot be a file ({_reason(error)})") from None
     except OSError as error:
+        _refuse_long_name(path, error)
         raise MachineError(
             f"{path}: cannot be written ({_reason(error)}); nothing was changed; check permissions and free space"
         ) from error
@@ -101,6 +104,11 @@ def _removed_on_error(temporary: Path) -> Iterator[None]:
         with suppress(OSError):
             temporary.unlink()
         raise
+
+
+def _refuse_long_name(path: str | Path, error: OSError) -> None:
+    if error.errno == errno.ENAMETOOLONG:
+        raise FileError(f"{str(path)[:60]}…: the name is too long; take a shorter one") from None
 
 
 def _reason(error: Exception) -> str:

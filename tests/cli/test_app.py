@@ -1,3 +1,4 @@
+import json
 import os
 import subprocess
 import sys
@@ -116,3 +117,22 @@ def test_exit_codes_tell_the_input_from_the_machine(run, monkeypatch, error, cod
     assert outcome.code == code
     assert "Traceback" not in outcome.err
     assert "a.stl: " in outcome.err or "tolerance" in outcome.err
+
+
+def test_a_code_page_without_greek_stops_no_answer():
+    environment = {**os.environ, "PYTHONIOENCODING": "cp1252"}
+    command = [sys.executable, "-m", "gearwright", *"bevel --teeth 16 20 --module 3 --face-width 10".split()]
+    table = subprocess.run(command, env=environment, capture_output=True, check=True).stdout.decode("cp1252")
+    assert "pitch angle" in table
+    document = subprocess.run([*command, "--json"], env=environment, capture_output=True, check=True).stdout
+    assert json.loads(document)["gear"]["sizes"]["pitch_angle"]["symbol"] == "δ"
+
+
+def test_a_closed_stdout_is_no_fault():
+    command = f"{sys.executable} -m gearwright spur --teeth 16 --module 3 --face-width 10 >&-"
+    assert subprocess.run(["/bin/sh", "-c", command], check=False, capture_output=True).returncode == 0
+
+
+def test_a_reader_who_leaves_a_help_page_is_no_fault():
+    command = f"{sys.executable} -m gearwright bevel --help | true; exit ${{PIPESTATUS[0]}}"
+    assert subprocess.run(["/bin/bash", "-c", command], check=False, capture_output=True).returncode == 0

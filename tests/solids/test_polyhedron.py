@@ -229,3 +229,19 @@ def test_a_face_no_corner_sees_whole_is_not_written(tmp_path):
     with pytest.raises(GeometryError, match="split it into convex faces"):
         polyhedron.save(tmp_path / "star.stl")
     assert not list(tmp_path.iterdir())
+
+
+def test_repeated_faces_are_refused():
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    turned = [[2, 1, 0], [1, 3, 0], [3, 1, 2], [3, 2, 0]]
+    assert Polyhedron(corners, faces).properties().volume == pytest.approx(1.0 / 6.0)
+    with pytest.raises(GeometryError, match=r"4 faces, the first 4, repeated: .* their volume counts twice"):
+        Polyhedron(corners, faces + turned).properties()
+
+
+def test_two_bodies_that_share_a_face_from_both_sides_are_one_of_their_sum():
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, -1]]
+    upper = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    lower = [[0, 1, 2], [0, 4, 1], [1, 4, 2], [0, 2, 4]]
+    assert Polyhedron(corners, upper + lower).properties().volume == pytest.approx(1.0 / 3.0)

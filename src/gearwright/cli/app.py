@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 import sys
 from collections.abc import Sequence
-from io import TextIOWrapper
+from io import StringIO, TextIOWrapper
 
 import cyclopts
 
@@ -52,12 +52,23 @@ def _help(command: str) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line on the arguments (those of the process, if None) and gives the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    _open_missing_streams()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="replace")  # a code page without ² or δ must not stop an answer
     try:
         code = build()(words)
         sys.stdout.flush()
+    except SystemExit:
+        return DONE  # a help page whose reader left
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  an edge: everything becomes a message and a code
         return report(error, shlex.join(["gearwright", *words]))
     return code if isinstance(code, int) else DONE
+
+
+def _open_missing_streams() -> None:
+    """Gives a process that was started without stdout or stderr one that takes everything."""
+    if sys.stdout is None:
+        sys.stdout = StringIO()
+    if sys.stderr is None:
+        sys.stderr = StringIO()

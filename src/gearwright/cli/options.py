@@ -123,8 +123,8 @@ def _value(parameter: Parameter, words: Sequence[str]) -> Any:
 
 def _one_value(parameter: Parameter, word: str) -> Any:
     """A word as the number it stands for; words that stand for none stay, for the element to refuse."""
-    if parameter.kind == "choice":
-        return word
+    if parameter.kind == "choice" or "_" in word:
+        return word  # Python would read 1_0 as 10
     try:
         return int(word) if parameter.kind == "integer" else float(word)
     except ValueError:

@@ -40,6 +40,8 @@ def properties(
             polyhedron = Polyhedron.load(file)
             units, kernel_density = units_and_density(_unit(file, length_unit), density)
             found = polyhedron.properties(kernel_density)
+            for remark in polyhedron.validity().remarks:
+                print(f"note: {file}: {remark}", file=sys.stderr)
         except (GearwrightError, OSError) as error:
             worst = max(worst, report(error, "gearwright properties", subject=str(file)))
         else:

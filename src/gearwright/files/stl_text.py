@@ -59,10 +59,11 @@ def parse_text(path: str, data: bytes) -> Array:
 
 def _facets(path: str, data: bytes, start: int, end: int) -> Array:
     """Corners of the facets between two places, neither inside a facet."""
-    words = _NAMES.sub(b"", data[start:end]).split()
+    text = _NAMES.sub(b"", data[start:end])
+    words = text.split()
     if not words:
         return np.empty((0, 3, 3))
-    if len(words) % len(_FACET) or max(map(len, words)) > _LONGEST_WORD:
+    if len(words) % len(_FACET) or max(map(len, words)) > _LONGEST_WORD or b"_" in text:  # 1_0 is 10 to Python alone
         raise _refusal(path, data, start, end)
     table = np.array(words).reshape(-1, len(_FACET))
     if np.any(table[:, _KEYWORDS] != np.array(_FACET)[_KEYWORDS]):
@@ -100,4 +101,4 @@ def _fits(word: bytes, pattern: bytes) -> bool:
         float(word)
     except ValueError:
         return False
-    return len(word) <= _LONGEST_WORD
+    return len(word) <= _LONGEST_WORD and b"_" not in word

@@ -76,8 +76,12 @@ def mass_properties(
 
     Off-diagonals of the inertia are minus the products. Only the closure residual is checked: use
     Polyhedron where flipped faces and holes are to be found and named.
-    Raises GeometryError if the faces do not close, turn inward, or name vertices that are not there.
+    Raises GeometryError if the density is not positive, or the faces do not close, turn inward, or name
+    vertices that are not there.
     """
+    if not 0.0 < density < np.inf:
+        problem = Problem(f"density = {density!r}", "a positive number is needed: mass per cubed length unit")
+        raise GeometryError("These faces have no mass", [problem])
     points = np.asarray(vertices, float)
     indices, offsets = corner_lists(faces)
     _require_corners(points, indices, offsets)

@@ -32,6 +32,7 @@ class PolyhedronValidity:
     nonplanar_faces    (k,) faces further off their mean plane than PLANARITY
     deviation          largest distance of a corner from its face's mean plane / bounding diagonal
     inward             (k, 2) components that turn their inside out: number of their first face, of faces
+    duplicates         (k,) faces that repeat an earlier one, corner for corner
     buried             (k, 2) outward components inside another one: voids not reversed, or overlapping bodies
     components         number of connected components
     closure            |Σ n A| / Σ A
@@ -42,6 +43,7 @@ class PolyhedronValidity:
     degenerate_faces: Indices
     nonplanar_faces: Indices
     deviation: float
+    duplicates: Indices
     inward: Indices
     buried: Indices
     components: int
@@ -73,6 +75,12 @@ class PolyhedronValidity:
                 self.edges.flipped,
                 "neighbouring faces must run along their common edge in opposite senses; the usual cause is single"
                 " faces turned inward; reverse the order of their corners",
+            ),
+            self._face_problem(
+                "repeated",
+                self.duplicates,
+                "an earlier face has the same corners in the same order, and their volume counts twice; the usual cause"
+                " is a body exported twice; leave one of them out",
             ),
             self._component_problem(
                 "turned inward",
@@ -117,6 +125,7 @@ class PolyhedronValidity:
             "non_manifold_edges": len(self.edges.non_manifold),
             "degenerate_faces": len(self.degenerate_faces),
             "nonplanar_faces": len(self.nonplanar_faces),
+            "duplicate_faces": len(self.duplicates),
             "inward_components": len(self.inward),
             "buried_components": len(self.buried),
             "components": self.components,
@@ -170,6 +179,8 @@ def examine(vertices: Array, indices: Indices, offsets: Indices) -> PolyhedronVa
         degenerate_faces=np.flatnonzero(areas <= _SLIVER * _extents(vertices, indices, offsets) ** 2),
         nonplanar_faces=np.flatnonzero(deviation > PLANARITY),
         deviation=float(deviation.max(initial=0.0)),
+        # a face that is there twice brings edges with more than two faces
+        duplicates=_duplicates(indices, offsets) if len(edges.non_manifold) else nothing[:, 0],
         inward=inward,
         buried=buried,
         components=int(labels.max(initial=-1)) + 1,
@@ -183,6 +194,19 @@ def _extents(vertices: Array, indices: Indices, offsets: Indices) -> Array:
         return np.zeros(0)
     first = np.repeat(indices[offsets[:-1]], np.diff(offsets))
     return np.asarray(np.maximum.reduceat(np.linalg.norm(vertices[indices] - vertices[first], axis=-1), offsets[:-1]))
+
+
+def _duplicates(indices: Indices, offsets: Indices) -> Indices:
+    """Faces (k,) that have the corners of an earlier one in the same cyclic order."""
+    sizes = np.diff(offsets)
+    found = []
+    for size in np.unique(sizes):
+        faces = np.flatnonzero(sizes == size)
+        corners = indices[offsets[faces][:, None] + np.arange(size)]
+        from_least = (np.argmin(corners, axis=1)[:, None] + np.arange(size)) % size
+        _, first = np.unique(np.take_along_axis(corners, from_least, axis=1), axis=0, return_index=True)
+        found.append(np.delete(faces, first))
+    return np.sort(np.concatenate(found))
 
 
 def _misplaced(vertices: Array, indices: Indices, offsets: Indices, labels: Indices) -> tuple[Indices, Indices]:
