@@ -15,7 +15,15 @@ import numpy as np
 from ..arrays import Array, Indices
 from ..curves.curve import turn
 from ..surfaces.surface import Surface
-from .triangulation import Grading, closed_chains, signed_area, spacing_along, triangulate, triangulate_chart
+from .triangulation import (
+    Grading,
+    closed_chains,
+    require_possible,
+    signed_area,
+    spacing_along,
+    triangulate,
+    triangulate_chart,
+)
 
 _WIDEST_RING = 0.9  # of the smallest radius of the outer loop, so that there is a rim at all
 _FEWEST_SIDES = 12  # of the ring as a polygon: its sides then stay clear of what is inside
@@ -31,6 +39,7 @@ def triangulate_pattern(
     shape leaves no room for a rim.
     """
     charts = [surface.chart(loop) for loop in loops]
+    require_possible(surface, charts[0], tolerance)
     rim = _Rim.of(surface, charts, tolerance, order) if order >= 3 else None
     if rim is None:
         return triangulate(surface, loops, tolerance)

@@ -75,7 +75,7 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
             columns = float(bound.columns(layers, tolerance))
             cells = 2.0 * patch.pattern.order * columns * layers
             if cells > MOST_TRIANGLES:
-                raise too_fine(tolerance, cells / MOST_TRIANGLES)
+                raise too_fine(tolerance, cells / MOST_TRIANGLES, layers)
             segments[across] = max(segments.get(across, 1), int(columns))
     for edge in boundary.edges:
         # an edge of no patch lies on the axis of a revolution, between its two caps, and is straight
@@ -87,7 +87,7 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
         for patch in boundary.patches
     )
     if triangles > MOST_TRIANGLES:
-        raise too_fine(tolerance, triangles / MOST_TRIANGLES)
+        raise too_fine(tolerance, triangles / MOST_TRIANGLES, max(found[p.sides[1].edge] for p in boundary.patches))
     return Sampling(segments=found, tolerance=tolerance)
 
 
@@ -201,11 +201,18 @@ def _thinnest(boundary: Boundary) -> float:
     return min(lengths, default=np.inf)
 
 
-def too_fine(tolerance: float, excess: float) -> GeometryError:
-    """The refusal of a tolerance that would need `excess` times too many triangles."""
-    # a single curved direction, the worst case, needs segments as the root of the tolerance's inverse
-    given, least = f"tolerance = {tolerance:.3g}", f"{1.05 * tolerance * excess**2:.2g}"
+def too_fine(tolerance: float, excess: float, layers: int) -> GeometryError:
+    """The refusal of a tolerance that would need `excess` times too many triangles.
+
+    Segments grow with the root of the inverse tolerance: in one direction where one layer does, else in two.
+    """
+    enough = 1.05 * tolerance * excess ** (2 if layers == 1 else 1)
     return GeometryError(
         "The tolerance asks for too fine a polyhedron",
-        [Problem(given, f"more than {MOST_TRIANGLES} triangles; try {least}, and is it in the part's length unit?")],
+        [
+            Problem(
+                f"tolerance = {tolerance:.3g}",
+                f"more than {MOST_TRIANGLES} triangles; try {enough:.2g}, and is it in the part's length unit?",
+            )
+        ],
     )

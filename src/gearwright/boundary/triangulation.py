@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -39,12 +40,16 @@ class Grading:
     border: Array
     spacing: Array
 
+    @cached_property
+    def _tree(self) -> cKDTree:
+        return cKDTree(self.border)
+
     def size(self, points: Array) -> tuple[Array, Array]:
         """Distance between neighbours (n,) wanted at points (n, 2), and clearance (n,) from the border they have.
 
         The clearance is relative to the spacing of the nearest border point.
         """
-        distance, nearest = cKDTree(self.border).query(points)
+        distance, nearest = self._tree.query(points)
         local = self.spacing[nearest]
         size = np.minimum(np.maximum(_GRADING * distance, local), self.surface.spacing(self.tolerance, points))
         return size, distance / local
@@ -57,17 +62,6 @@ class Grading:
         cells = (low + high) / 2.0 + side * np.stack(np.meshgrid(*2 * [np.arange(4) - 1.5]), axis=-1).reshape(-1, 2)
         kept = []
         while len(cells):
-            if len(cells) > MOST_CELLS:
-                raise GeometryError(
-                    "The tolerance asks for too fine a polyhedron",
-                    [
-                        Problem(
-                            f"tolerance = {self.tolerance:.3g}",
-                            f"an end face would need more than {MOST_CELLS} points; "
-                            "take a larger one, and is it in the part's length unit?",
-                        )
-                    ],
-                )
             wanted, clearance = self.size(cells)
             fits = side <= wanted
             kept.append(cells[fits & (clearance > _CLEARANCE)])
@@ -87,8 +81,26 @@ def triangulate(surface: Surface, loops: Sequence[Array], tolerance: float) -> t
     return surface.point(inner), triangles
 
 
+def require_possible(surface: Surface, outer: Array, tolerance: float) -> None:
+    """Raises GeometryError where the tolerance needs more than MOST_CELLS points inside an outer loop (n, 2)."""
+    extent = float(np.max(np.ptp(outer, axis=0)))
+    needed = (extent / float(np.max(surface.spacing(tolerance, outer)))) ** 2
+    if needed > MOST_CELLS:
+        raise GeometryError(
+            "The tolerance asks for too fine a polyhedron",
+            [
+                Problem(
+                    f"tolerance = {tolerance:.3g}",
+                    f"an end face would need more than {MOST_CELLS} points; "
+                    f"try {1.05 * tolerance * needed / MOST_CELLS:.2g}, and is it in the part's length unit?",
+                )
+            ],
+        )
+
+
 def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
     """The same in the chart of the surface: loops (n_i, 2), inner points (k, 2)."""
+    require_possible(surface, loops[0], tolerance)
     border = np.concatenate(loops)
     constraints = closed_chains([len(loop) for loop in loops])
     spacing = spacing_along(border, constraints)
