@@ -26,7 +26,7 @@ def test_the_python_example_prints_what_stands_below_it(tmp_path, monkeypatch, c
     exec(compile(code, "README.md", "exec"), {})  # noqa: S102  our own example
     assert capsys.readouterr().out == printed
     assert sorted(path.name for path in (tmp_path / "out/pair").iterdir()) == ["gear.stl", "pinion.stl"]
-    assert (tmp_path / "docs/images/bevel-pair.png").stat().st_size > 100_000
+    assert (tmp_path / "bevel-pair.png").stat().st_size > 100_000
 
 
 def test_the_commands_run_in_their_order(tmp_path, monkeypatch, capsys):

@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.boundary.extent import bounding_box, rough_diagonal, surface_area
 
-from ..examples import built, every_part, polyhedron, size
+from ..examples import PARTS, built, every_part, polyhedron, size
 from .shapes import BOXES
 
 AREAS = {
@@ -54,3 +54,23 @@ def test_polyhedra_have_nearly_the_same(part):
 def test_the_diagonal_is_about_that_of_the_box(part):
     exact = float(np.linalg.norm(np.diff(bounding_box(built(part).boundary), axis=0)))
     assert 0.95 * exact < rough_diagonal(built(part).boundary) <= exact * (1.0 + 1e-12)
+
+
+@pytest.mark.parametrize("part", [p for p in PARTS if getattr(built(p), "face_angle", 0.0) < np.pi / 2.0], ids=str)
+def test_the_box_is_that_of_a_dense_cloud(part):
+    """Points all along the edges of every image, and the poles inside the end faces.
+
+    Crown gears, whose end faces reach beyond 90°, are widest inside them.
+    """
+    boundary = built(part).boundary
+    fractions = np.linspace(0.0, 1.0, 1201)
+    clouds = [edge.pattern.images(edge.curve.point(edge.curve.parameter(fractions))) for edge in boundary.edges]
+    poles = [cap.surface.point(np.zeros((1, 2))) for cap in boundary.caps if len(cap.loops) == 1]
+    points = np.concatenate([cloud.reshape(-1, 3) for cloud in (*clouds, *poles)])
+    box = bounding_box(boundary)
+    np.testing.assert_allclose([points.min(axis=0), points.max(axis=0)], box, atol=1e-6 * size(part))
+
+
+def test_a_crown_gear_is_widest_inside_its_end_face():
+    part = next(p for p in PARTS if p.example == "crown")
+    assert bounding_box(built(part).boundary)[1, 0] == pytest.approx(built(part).cone_distance, rel=1e-15)

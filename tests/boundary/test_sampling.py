@@ -10,7 +10,7 @@ from gearwright.boundary.tessellation import tessellate
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.errors import GeometryError
 
-from .shapes import BOXES, SQUARE, circle, extruded
+from .shapes import BOXES, SQUARE, circle, extruded, polygon, revolved
 
 GEAR = BevelGear(
     teeth=20, module=4.0, pitch_angle=45.0, face_width=15.0, bore=20.0, trace="logarithmic", spiral_angle=35.0
@@ -82,3 +82,14 @@ def test_fixed_sampling():
     found = fixed_sampling(GEAR.boundary, across=3, layers=7, tolerance=0.1)
     tooth = GEAR.boundary.patches[0]
     assert [found.segments[use.edge] for use in tooth.sides] == [3, 7, 3, 7]
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4])
+def test_a_sharp_rim_is_cut_as_finely_as_its_own_curve_asks(tolerance):
+    """Faces that meet there nearly in one plane hardly bend along the rim; the rim itself does."""
+    lens = revolved(polygon((0.0, -0.02), (1.0, 0.0), (0.0, 0.02)))
+    found = sampling(lens, tolerance)
+    rim = max(edge.curve.point(0.5)[0] ** 2 + edge.curve.point(0.5)[1] ** 2 for edge in lens.edges)
+    assert rim == pytest.approx(1.0)
+    count = max(found.segments.values())
+    assert 1.0 - np.cos(np.pi / count) <= tolerance

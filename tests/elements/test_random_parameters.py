@@ -196,3 +196,37 @@ def test_few_teeth_around_a_bore(teeth, bore):
     """A sector is then a third of the whole, and its chord comes near the axis."""
     gear = SpurGear(teeth=teeth, module=4.0, face_width=8.0, addendum=1.0, dedendum=3.4, bore=bore)
     assert gear.polyhedron().properties().volume == pytest.approx(gear.properties().volume, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("element", "values"),
+    [
+        (SpurGear, {"teeth": 3, "module": 4.483, "face_width": 7.75, "dedendum": 1.0144, "bore": 2.25656}),
+        (SpurGear, {"teeth": 5, "module": 1.81243, "face_width": 3.137, "addendum": 2.1152, "bore": 1.2319}),
+        (BevelGear, {"teeth": 3, "module": 0.908, "mate_teeth": 8, "face_width": 1.16, "bore": 0.0521}),
+        (BevelGear, {"teeth": 4, "module": 8.12, "mate_teeth": 100, "face_width": 4.08, "bore": 2.573}),
+        (
+            BevelGear,
+            {"teeth": 12, "module": 2.0, "pitch_angle": 5.0, "face_width": 13.66, "addendum": 0.87, "bore": 6.288},
+        ),
+        (BevelGear, {"teeth": 38, "diametral_pitch": 4.383, "mate_teeth": 50, "face_width": 63.5, "bore": 58.92}),
+        (
+            BevelGear,
+            {
+                "teeth": 3,
+                "module": 1.0,
+                "pitch_angle": 3.0,
+                "face_width": 28.62,
+                "trace": "logarithmic",
+                "spiral_angle": 1.0,
+            },
+        ),
+    ],
+    ids=lambda value: value.__name__ if isinstance(value, type) else "",
+)
+def test_parts_that_once_failed(element, values):
+    """Thin sectors beside a bore, chords of a ring below the sphere, an apex all but reached."""
+    part = element(**values)
+    body = part.polyhedron()
+    assert edges_pair_up(np.asarray(body.faces))
+    assert body.properties().volume == pytest.approx(part.properties().volume, rel=0.01)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 from ..arrays import Array
 from ..parameters import MILLIMETRES, Size
@@ -17,6 +17,8 @@ class Gear(Protocol):
 
     @property
     def length_unit(self) -> str: ...
+    @property
+    def upward(self) -> Literal[1, -1]: ...
     @property
     def description(self) -> str: ...
     def sizes(self) -> dict[str, Size]: ...

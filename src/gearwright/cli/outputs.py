@@ -34,7 +34,10 @@ def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
         with progress(f"polyhedron of the {name}"):
             polyhedron = part.gear.polyhedron(tolerance)
         label = f"{name}\n{part.gear.description}"
-        parts.append(PlacedPart(name=name, label=label, polyhedron=polyhedron, placement=part.placement))
+        alone = "" if len(built.parts) == 1 else label
+        parts.append(
+            PlacedPart(name=name, label=alone, polyhedron=polyhedron, placement=part.placement, upward=part.gear.upward)
+        )
     return parts
 
 

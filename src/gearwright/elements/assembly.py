@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -19,12 +20,14 @@ class PlacedPart:
 
     name    what its file is called
     label   what stands beside it in a picture
+    upward  which way the axis, z, points when the part is drawn alone, so that its teeth are seen
     """
 
     name: str
     label: str
     polyhedron: Polyhedron
     placement: Array
+    upward: Literal[1, -1] = 1
 
     @property
     def placed(self) -> Polyhedron:
@@ -50,7 +53,7 @@ def save_parts(parts: Sequence[PlacedPart], path: Path, length_unit: str, *, pla
 
 def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit: str) -> None:
     """Draws all parts in place into a PNG file. Raises FileError, MachineError."""
-    from ..pictures import BRASS, STEEL, Body, picture  # matplotlib and numba load only to draw
+    from ..pictures import BRASS, STEEL, Body, View, picture  # matplotlib and numba load only to draw
 
     bodies = [
         Body(vertices=body.vertices, triangles=body.triangles(), colour=(BRASS, STEEL)[i % 2], label=part.label)
@@ -58,7 +61,9 @@ def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit:
         for body in [part.placed]
     ]
     folder(path.parent)
-    picture(bodies, path, title=title, length_unit=length_unit)
+    up = float(parts[0].upward)
+    alone = View(direction=(0.35, 0.8, 0.75 * up), up=(0.0, 0.0, up)) if len(parts) == 1 else None
+    picture(bodies, path, title=title, view=alone, length_unit=length_unit)
 
 
 def _together(polyhedra: Sequence[Polyhedron]) -> Polyhedron:

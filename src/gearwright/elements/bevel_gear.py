@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
@@ -212,6 +213,11 @@ class BevelGear(Element):
         sense = 1.0 if self.hand == "right" else -1.0
         rate = sense * np.tan(np.radians(self.spiral_angle)) / np.sin(self.pitch_cone_angle)
         return LogarithmicTrace(rate=float(rate), mean_distance=self.mean_distance)
+
+    @property
+    def upward(self) -> Literal[1, -1]:
+        """Apex up: its teeth face the apex."""
+        return -1
 
     @property
     def remarks(self) -> list[str]:

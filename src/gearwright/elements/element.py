@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -36,6 +37,11 @@ class Element(ABC):
         """Derived sizes by name."""
 
     @property
+    def upward(self) -> Literal[1, -1]:
+        """Which way z points in a picture of the part alone."""
+        return 1
+
+    @property
     def remarks(self) -> list[str]:
         """What is unusual about the part, though it can be built."""
         return []
@@ -58,7 +64,9 @@ class Element(ABC):
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""
-        part = PlacedPart(name="part", label="", polyhedron=self.polyhedron(tolerance), placement=np.eye(4))
+        part = PlacedPart(
+            name="part", label="", polyhedron=self.polyhedron(tolerance), placement=np.eye(4), upward=self.upward
+        )
         draw_parts([part], Path(path), self.description, self.length_unit)
 
 
