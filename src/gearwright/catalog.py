@@ -85,6 +85,11 @@ MOTIONS = (
         source="gearwright.motions.straight:Straight",
     ),
     Motion(
+        name="extrusion",
+        summary="a plane section extruded with twist, scaling and skew",
+        source="gearwright.motions.extrusion:Extrusion",
+    ),
+    Motion(
         name="revolution",
         summary="a section of the half-plane revolved about its axis",
         source="gearwright.motions.revolution:Revolution",

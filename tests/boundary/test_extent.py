@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from gearwright.boundary.extent import bounding_box, rough_diagonal, surface_area
+from gearwright.elements.spur_gear import SpurGear
 
 from ..examples import PARTS, built, every_part, polyhedron, size
 from .shapes import BOXES
@@ -74,3 +75,13 @@ def test_the_box_is_that_of_a_dense_cloud(part):
 def test_a_crown_gear_is_widest_inside_its_end_face():
     part = next(p for p in PARTS if p.example == "crown")
     assert bounding_box(built(part).boundary)[1, 0] == pytest.approx(built(part).cone_distance, rel=1e-15)
+
+
+def test_the_widest_place_is_found_between_samples():
+    """A tooth at 72° so wide that its tip reaches over 90°, at no fraction that a grid would hit."""
+    gear = SpurGear(teeth=5, module=4.0, face_width=3.0, circular_thickness=7.0, addendum=0.3, dedendum=1.5)
+    radius = 10.3
+    box = bounding_box(gear.boundary)
+    assert box[1, 1] == pytest.approx(radius, rel=1e-12)
+    assert box[0, 1] == pytest.approx(-radius, rel=1e-12)
+    assert box[0, 0] > -radius

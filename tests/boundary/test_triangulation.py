@@ -86,7 +86,7 @@ def test_loops_that_cross_are_refused():
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-@pytest.mark.parametrize("hole", [None, 0.05, 0.3, 0.7])
+@pytest.mark.parametrize("hole", [None, 0.05, 0.15, 0.3, 0.7])
 @pytest.mark.parametrize("teeth", [3, 4, 5, 8, 20, 60])
 def test_patterns_are_covered_sector_by_sector(teeth, hole, sense):
     loops = [_star(teeth, 1.0, 1.3)[::sense]]

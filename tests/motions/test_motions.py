@@ -17,6 +17,7 @@ from gearwright.curves.parallel import Parallel
 from gearwright.curves.spherical_involute import SphericalInvolute
 from gearwright.curves.trace import LogarithmicTrace, StraightTrace
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
+from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.motion import Motion
 from gearwright.motions.radial import Radial
 from gearwright.motions.revolution import FULL_TURN, Revolution
@@ -83,6 +84,15 @@ class Example:
 
 EXAMPLES = {
     Straight: [Example(Straight(), plane_section(), between(-0.7, 2.1))],
+    Extrusion: [
+        Example(Extrusion(length=2.5, twist=0.8), plane_section(), between(0.0, 2.5)),
+        Example(Extrusion(length=2.5, twist=-4.0, scale=(0.6, 0.6)), plane_section(), between(0.3, 2.1)),
+        Example(Extrusion(length=2.5, scale=(0.5, 1.4)), plane_section(), between(0.0, 2.5)),
+        Example(Extrusion(length=2.5, skew=(3.0, -1.0)), plane_section(), between(0.0, 2.5)),
+        Example(
+            Extrusion(length=2.5, twist=2.0, scale=(1.3, 0.7), skew=(-0.4, 0.9)), plane_section(), between(0.0, 2.5)
+        ),
+    ],
     Revolution: [
         Example(Revolution(), plane_section(), between(-0.4, 1.3)),
         Example(Revolution(), plane_section(), between(0.5, 4.5)),
@@ -191,8 +201,9 @@ class TestEveryMotion:
                 points, tangents = curve.quadrature(30)
                 if points.shape[1] == 2:  # straight, in the region: jacobians linear in the section point
                     across = (points[:, 0] * tangents[:, 1] - points[:, 1] * tangents[:, 0]) / 2.0
-                    mean = case.motion.jacobian(points * 2.0 / 3.0, 0.0)
-                    volume += np.sum(across * mean) * (finish - start)
+                    for weight, v in zip(w, u, strict=True):
+                        mean = case.motion.jacobian(points * 2.0 / 3.0, v)
+                        volume += np.sum(across * mean) * weight * (finish - start) / 2.0
                 else:
                     across = np.cross(points, tangents)[:, 2] / (1.0 + points[:, 2])
                     radial = case.motion.jacobian(np.repeat(points[:1], 30, axis=0), u)
@@ -220,16 +231,17 @@ class TestEveryMotion:
             assert not case.motion.closed(ends)
 
     def test_turning_the_section_about_its_axis_turns_the_body_or_the_motion_says_otherwise(self, case):
-        if not isinstance(case.motion, Revolution):
-            assert case.motion.rotation_order == 0
-            points, _, _ = case.points()
-            c, s = np.cos(0.9), np.sin(0.9)
+        points, _, _ = case.points()
+        d, v, order = points.shape[1], parameters(case)[1], case.motion.rotation_order
+
+        def commutes(angle):
+            c, s = np.cos(angle), np.sin(angle)
             rotation = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-            d = points.shape[1]
-            v = parameters(case)[1]
-            np.testing.assert_allclose(
-                case.motion.place(points @ rotation[:d, :d].T, v), case.motion.place(points, v) @ rotation.T, atol=1e-14
-            )
+            turned = case.motion.place(points @ rotation[:d, :d].T, v)
+            return np.allclose(turned, case.motion.place(points, v) @ rotation.T, rtol=0.0, atol=1e-14)
+
+        assert commutes(TURN / order if order else 0.9)
+        assert commutes(0.9) == (order == 0)
 
     def test_it_is_smooth(self, case):
         assert case.motion.breaks(case.ends) == ()
@@ -243,6 +255,7 @@ def test_a_revolution_commutes_with_no_turn_of_its_section():
     "motion",
     [
         Straight(),
+        Extrusion(length=3.0, twist=1.0, scale=(0.5, 2.0), skew=(1.0, 0.0)),
         Revolution(),
         Radial(trace=LogarithmicTrace(rate=0.7, mean_distance=2.0)),
     ],
@@ -285,6 +298,39 @@ class TestStraight:
         body = Straight().moments(section, between(0.0, 1.0))
         # the curve's own points are rounded to 1e-12 there
         np.testing.assert_allclose(np.diag(body.central_second), [np.pi / 4, np.pi / 4, np.pi / 12], rtol=4e-13)
+
+
+class TestExtrusion:
+    @pytest.mark.parametrize("twist", [0.0, 1e-12, 1e-6, 1e-3])
+    def test_without_twist_it_is_the_straight_extrusion_and_with_little_its_series(self, twist):
+        section, ends = plane_section(), between(0.0, 2.0)
+        straight = Straight().moments(section, ends)
+        twisted = Extrusion(length=2.0, twist=twist).moments(section, ends)
+        assert twisted.volume == pytest.approx(straight.volume, rel=2e-15)
+        # to the first order the centroid turns with half the twist
+        x, y, z = straight.centroid
+        turned = [x - y * twist / 2.0, y + x * twist / 2.0, z]
+        np.testing.assert_allclose(twisted.centroid, turned, atol=1e-15 + 2.0 * twist**2)
+
+    def test_a_round_bar_scaled_to_half_is_a_frustum(self):
+        bar = Section(loops=(Loop(curves=(Arc(radius=3.0, interval=(0.0, TURN)),)),))
+        frustum = Extrusion(length=4.0, scale=(0.5, 0.5)).moments(bar, between(0.0, 4.0))
+        assert frustum.volume == pytest.approx(np.pi * 4.0 / 3.0 * (9.0 + 4.5 + 2.25), rel=1e-14)
+        fifth = 3.0**5 * (1.0 - 0.5**5) / 0.5
+        about_axis = frustum.central_second[0, 0] + frustum.central_second[1, 1]
+        assert about_axis == pytest.approx(np.pi * 4.0 / 10.0 * fifth / 3.0, rel=1e-14)
+
+    def test_a_square_bar_twisted_about_its_middle_keeps_its_inertia(self):
+        square = Section(loops=(Loop(curves=(Line(first=(1.0, -1.0), last=(1.0, 1.0)),), copies=4),))
+        ends = between(0.0, 5.0)
+        straight, twisted = (m.moments(square, ends) for m in (Straight(), Extrusion(length=5.0, twist=1.7)))
+        np.testing.assert_allclose(twisted.matrix, straight.matrix, atol=1e-13)
+
+    def test_skew_moves_the_far_end(self):
+        bar = Section(loops=(Loop(curves=(Arc(radius=1.0, interval=(0.0, TURN)),)),))
+        skewed = Extrusion(length=2.0, skew=(3.0, -1.0)).moments(bar, between(0.0, 2.0))
+        np.testing.assert_allclose(skewed.centroid, [1.5, -0.5, 1.0], atol=1e-14)
+        assert skewed.central_second[0, 1] == pytest.approx(2.0 * np.pi * -3.0 / 12.0, rel=1e-13)
 
 
 class TestRevolution:

@@ -25,6 +25,23 @@ def straight_sweep(section: Array, length: float) -> Array:
     return moment_matrix(length * m[0, 0], first, second)
 
 
+def parallel_sweep(section: Array, linear: Array, shifts: Array, weights: Array) -> Array:
+    """Moment matrix (4, 4) of a plane section swept through planes of constant z: a quadrature of (S1).
+
+    section   (3, 3)     moment matrix of the section about a point of its own
+    linear    (n, 2, 2)  the section's linear map at each node
+    shifts    (n, 3)     where that point of the section is at each node, from the origin of the moments
+    weights   (n,)       weights of the nodes, times det A
+
+    M = ∫ det A T M₂ Tᵀ dξ with T = [1 0; shift (A; 0)]. Source: Al-Daccak 1989, eqs. (5.3)–(5.13).
+    """
+    transforms = np.zeros((len(weights), 4, 3))
+    transforms[:, 0, 0] = 1.0
+    transforms[:, 1:, 0] = shifts
+    transforms[:, 1:3, 1:] = linear
+    return np.einsum("n,nij,jk,nlk->il", weights, transforms, section, transforms)
+
+
 def revolution_sweep(section: Array, start: float, stop: float) -> Array:
     """Moment matrix (4, 4) of a section of the half-plane (ρ, z), ρ ≥ 0, revolved about z from azimuth start to stop.
 

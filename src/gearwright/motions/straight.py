@@ -15,6 +15,7 @@ from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
 from .ends import ConstantEnd, End, Ends
 from .motion import Motion
+from .parallel import in_space
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,14 +23,14 @@ class Straight(Motion):
     """r = (x, y, v): a plane section moved along its normal. Source: Al-Daccak 1989, eq. (5.15)."""
 
     def place(self, point: Array, v: ArrayLike) -> Array:
-        return _in_space(point, v)
+        return in_space(point, v)
 
     def carry(self, point: Array, tangent: Array, v: ArrayLike) -> Array:
         del point
-        return _in_space(tangent, np.zeros(np.shape(v)))
+        return in_space(tangent, np.zeros(np.shape(v)))
 
     def velocity(self, point: Array, v: ArrayLike) -> Array:
-        return _in_space(np.zeros_like(point), np.ones(np.shape(v)))
+        return in_space(np.zeros_like(point), np.ones(np.shape(v)))
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.ones(np.broadcast_shapes(point.shape[:-1], np.shape(v)))
@@ -48,10 +49,3 @@ class Straight(Motion):
         matrix = straight_sweep(local.values, finish - start)
         middle = np.array([*local.origin, (start + finish) / 2.0])
         return about_centroid(matrix, "exact", section.moments_error, middle)
-
-
-def _in_space(vectors: Array, z: ArrayLike) -> Array:
-    """(x, y, z) (..., 3) of plane vectors (..., 2) and z (...), broadcast against each other."""
-    shape = np.broadcast_shapes(vectors.shape[:-1], np.shape(z))
-    plane = np.broadcast_to(vectors, (*shape, 2))
-    return np.concatenate([plane, np.broadcast_to(z, shape)[..., None]], axis=-1)
