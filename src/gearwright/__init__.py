@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .sections.plane import Section
     from .solids.polyhedron import Polyhedron
     from .solids.properties import MassProperties
+    from .solids.sweeps import extrude, revolve
 
 __all__ = [
     "BevelGear",
@@ -34,7 +35,9 @@ __all__ = [
     "Section",
     "SpurGear",
     "__version__",
+    "extrude",
     "mass_properties",
+    "revolve",
 ]
 
 _MODULES = {
@@ -46,6 +49,7 @@ _MODULES = {
     ".sections.plane": ("Section",),
     ".solids.polyhedron": ("Polyhedron",),
     ".solids.properties": ("MassProperties",),
+    ".solids.sweeps": ("extrude", "revolve"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 
