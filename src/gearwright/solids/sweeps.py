@@ -37,11 +37,11 @@ def extrude(
         *_unless(_finite(length) and length > 0, f"length = {length}", "a length greater than 0 is needed"),
         *_unless(_finite(twist), f"twist = {twist}", "a finite angle in degrees is needed"),
         *_unless(
-            _finite(*scale) and len(scale) == 2 and min(scale) > 0,
+            np.shape(scale) == (2,) and _finite(*scale) and min(scale) > 0,
             f"scale = {scale}",
             "two factors greater than 0 are needed; at 0 the solid would end in a line or point",
         ),
-        *_unless(_finite(*skew) and len(skew) == 2, f"skew = {skew}", "two finite lengths are needed"),
+        *_unless(np.shape(skew) == (2,) and _finite(*skew), f"skew = {skew}", "two finite lengths are needed"),
     ]
     if problems:
         raise ParameterError("extrude", problems)
