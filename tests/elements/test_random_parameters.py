@@ -221,11 +221,45 @@ def test_few_teeth_around_a_bore(teeth, bore):
                 "spiral_angle": 1.0,
             },
         ),
+        (
+            BevelGear,
+            {
+                "teeth": 4,
+                "diametral_pitch": 2.113226323374023,
+                "pressure_angle": 18.109035818894796,
+                "pitch_angle": 70.0,
+                "face_width": 0.25581846224337484,
+                "trace": "logarithmic",
+                "spiral_angle": 2.7295732329441114,
+            },
+        ),
+        (
+            BevelGear,
+            {
+                "teeth": 24,
+                "mate_teeth": 38,
+                "shaft_angle": 116.27378367019209,
+                "module": 2.384024737064433,
+                "face_width": 4.629085887024703,
+                "addendum": 4.523965193548972 / 2,
+                "dedendum": 6.134071786200287 - 4.523965193548972 / 2,
+            },
+        ),
+        (
+            BevelGear,
+            {
+                "teeth": 16,
+                "mate_teeth": 54,
+                "diametral_pitch": 8.863254062643028,
+                "backlash": 0.16927823861772875,
+                "face_width": 28.24523264612272,
+            },
+        ),
     ],
     ids=lambda value: value.__name__ if isinstance(value, type) else "",
 )
 def test_parts_that_once_failed(element, values):
-    """Thin sectors beside a bore, chords of a ring below the sphere, an apex all but reached."""
+    """Thin sectors beside a bore, chords of a ring or a border just below the sphere, an apex all but reached."""
     part = element(**values)
     body = part.polyhedron()
     assert edges_pair_up(np.asarray(body.faces))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..arrays import Array, Indices
+from ..errors import GeometryError, Problem
 from .boundary import Boundary
 from .edge import Edge, EdgeUse, Vertex
 from .faces import Cap, CapLoop, Patch
@@ -37,6 +38,15 @@ class _Tessellation:
         triangles = [self._patch(patch) for patch in self._boundary.patches]
         positions = np.concatenate(self._points)  # all that caps can refer to
         triangles += [self._cap(cap, positions) for cap in self._boundary.caps]
+        if not any(map(len, triangles)):
+            raise GeometryError(
+                "Nothing is left of the solid at this tolerance",
+                [
+                    Problem(
+                        f"tolerance = {self._sampling.tolerance:.3g}", "it is larger than the solid; take a smaller one"
+                    )
+                ],
+            )
         return np.concatenate(self._points), np.concatenate(triangles)
 
     def _number(self, points: Array, pattern: Pattern) -> Indices:

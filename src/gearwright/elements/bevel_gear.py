@@ -26,6 +26,7 @@ from . import refusals, remarks
 from .bevel_tooth import BevelTooth
 from .element import Element, module_in, require_angle_of_trace, require_one_pitch
 
+_NEARLY_CYLINDRICAL = np.radians(0.01 * (1.0 - 1e-9))  # as the limit of pitch_angle
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _OF_THE_BLANK = ("face_width", "addendum", "dedendum")
@@ -85,12 +86,8 @@ class BevelGear(Element):
             )
         elif self.pitch_angle is not None and self.shaft_angle is not None:
             problems.add("shaft_angle", "goes with mate_teeth; a pitch angle alone settles the cone")
-        elif (
-            problems.computable(*_OF_THE_CONE)
-            and problems.sound("module")
-            and self.pitch_cone_angle > np.pi / 2.0 + 1e-12
-        ):
-            problems.add("shaft_angle", refusals.internal_bevel(self.pitch_cone_angle))
+        elif problems.computable(*_OF_THE_CONE) and problems.sound("module"):
+            require_cone(problems, self.pitch_cone_angle)
 
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
@@ -283,6 +280,14 @@ class BevelGear(Element):
             "addendum_angle": (self.face_angle - self.pitch_cone_angle, "θ_a", "addendum angle"),
             "dedendum_angle": (self.pitch_cone_angle - self.root_angle, "θ_f", "dedendum angle"),
         }
+
+
+def require_cone(problems: Problems, *angles: float) -> None:
+    """Adds a problem of the shaft angle where it makes a pitch cone (radians) too steep or too flat."""
+    if max(angles) > np.pi / 2.0 + 1e-12:
+        problems.add("shaft_angle", refusals.internal_bevel(max(angles)))
+    elif min(angles) < _NEARLY_CYLINDRICAL:
+        problems.add("shaft_angle", refusals.nearly_cylindrical(min(angles)))
 
 
 def pitch_cone_angle(teeth: int, mate_teeth: int, shaft_angle: float) -> float:

@@ -11,9 +11,9 @@ import numpy as np
 from ..arrays import Array
 from ..parameters import Problems, Size, declared, member_value, rounded_down
 from . import declarations as d
-from . import refusals, remarks
+from . import remarks
 from .assembly import PlacedPart, draw_parts, save_parts
-from .bevel_gear import BevelGear, pitch_cone_angle
+from .bevel_gear import BevelGear, pitch_cone_angle, require_cone
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_angle_of_trace, require_one_pitch
 
@@ -67,11 +67,8 @@ class BevelPair:
         problems.raise_any()
 
     def _check_cones(self, problems: Problems) -> bool:
-        steepest = max(self._pitch_cone_angles)
-        if steepest > np.pi / 2.0 + 1e-12:
-            problems.add("shaft_angle", refusals.internal_bevel(steepest))
-            return False
-        return True
+        require_cone(problems, *self._pitch_cone_angles)
+        return problems.sound("shaft_angle")
 
     def _check_depths(self, problems: Problems) -> bool:
         unit = self.length_unit
@@ -97,7 +94,7 @@ class BevelPair:
                 problems.add(
                     "gear_addendum" if name == "gear" else "working_depth",
                     f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, "
-                    f"would meet its mate below the base cone; at most {rounded_down(most)} {unit} there "
+                    f"would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
                     "(more teeth or a larger pressure angle allow more)",
                 )
         pitch = np.pi * self.pinion.outer_module

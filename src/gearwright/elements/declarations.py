@@ -11,7 +11,7 @@ DIAMETRAL_PITCH = Parameter(meaning="teeth per inch of pitch diameter", unit="pe
 FACE_WIDTH = Parameter(meaning="face width, the length of the teeth", unit="length", symbol="b", above=0)
 PRESSURE_ANGLE = Parameter(meaning="transverse pressure angle", unit="angle", symbol="α", above=0, below=60)
 SHAFT_ANGLE = Parameter(meaning="angle between the axes", unit="angle", symbol="Σ", above=0, below=180)
-PITCH_ANGLE = Parameter(meaning="half-angle of the pitch cone", unit="angle", symbol="δ", above=0, maximum=90)
+PITCH_ANGLE = Parameter(meaning="half-angle of the pitch cone", unit="angle", symbol="δ", minimum=0.01, maximum=90)
 ADDENDUM = Parameter(meaning="height of the tooth above the pitch line", unit="length", symbol="h_a", above=0)
 DEDENDUM = Parameter(meaning="depth of the tooth below the pitch line", unit="length", symbol="h_f", above=0)
 WORKING_DEPTH = Parameter(meaning="sum of the members' addenda", unit="length", symbol="h_w", above=0)

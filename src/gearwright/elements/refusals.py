@@ -41,6 +41,11 @@ def no_involute(what: str) -> str:
     return f"leaves no involute below the pitch {what}; a larger one does"
 
 
+def nearly_cylindrical(angle: float) -> str:
+    """A pitch angle (radians) too small for a cone."""
+    return f"makes a pitch cone of {np.degrees(angle):.2g}°, less than 0.01°: a spur gear, and to be built as one"
+
+
 def internal_bevel(angle: float) -> str:
     """A pitch angle (radians) beyond 90°."""
     return (
