@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -18,8 +19,15 @@ class Pattern:
 
     def images(self, points: Array) -> Array:
         """The images (order, n, 3) of points (n, 3), the sector itself first."""
-        turns = np.stack([turn(2.0 * np.pi * k / self.order, 3) for k in range(self.order)])
-        return points @ np.swapaxes(turns, 1, 2)
+        return points @ np.swapaxes(_turns(self.order), 1, 2)
 
 
 ALONE = Pattern()
+
+
+@cache
+def _turns(order: int) -> Array:
+    """The rotations (order, 3, 3) of a pattern."""
+    turns = np.stack([turn(2.0 * np.pi * k / order, 3) for k in range(order)])
+    turns.flags.writeable = False
+    return turns

@@ -26,6 +26,7 @@ from .triangulation import (
 )
 
 _WIDEST_RING = 0.9  # of the smallest radius of the outer loop, so that there is a rim at all
+_DEPTHS = 64  # samples along a cut
 _FEWEST_SIDES = 12  # of the ring as a polygon: its sides then stay clear of what is inside
 _NARROWEST_ROOM = 1.2  # of the largest radius of the inner loops
 
@@ -125,8 +126,11 @@ class _Rim:
         """Points (k, 2) along the radius from the outer loop's start to the ring, both left out, graded."""
         grading = _grading(self.surface, self.tolerance, self.outer)
         radii = [float(np.linalg.norm(self.outer[0]))]
+        # sizes wanted, sampled densest at the border, where they may change fast
+        depths = (radii[0] - self.ring) * np.concatenate([[0.0], np.geomspace(1e-6, 1.0, _DEPTHS)])
+        sizes = grading.size((radii[0] - depths)[:, None] * direction)[0]
         while radii[-1] > self.ring:
-            radii.append(radii[-1] - float(grading.size(radii[-1] * direction[None])[0][0]))
+            radii.append(radii[-1] - float(np.interp(radii[0] - radii[-1], depths, sizes)))
         # the last step overshoots: all are shortened alike, so that none grows
         shortened = (radii[0] - self.ring) / (radii[0] - radii[-1])
         return (radii[0] - shortened * (radii[0] - np.array(radii[1:-1])))[:, None] * direction
