@@ -25,8 +25,8 @@ from . import declarations as d
 from . import refusals, remarks
 from .bevel_tooth import BevelTooth
 from .element import Element, module_in, require_angle_of_trace, require_one_pitch
+from .pitch_cone import pitch_cone_angle, require_cone
 
-_NEARLY_CYLINDRICAL = np.radians(0.01 * (1.0 - 1e-9))  # as the limit of pitch_angle
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _OF_THE_BLANK = ("face_width", "addendum", "dedendum")
@@ -280,19 +280,6 @@ class BevelGear(Element):
             "addendum_angle": (self.face_angle - self.pitch_cone_angle, "θ_a", "addendum angle"),
             "dedendum_angle": (self.pitch_cone_angle - self.root_angle, "θ_f", "dedendum angle"),
         }
-
-
-def require_cone(problems: Problems, *angles: float) -> None:
-    """Adds a problem of the shaft angle where it makes a pitch cone (radians) too steep or too flat."""
-    if max(angles) > np.pi / 2.0 + 1e-12:
-        problems.add("shaft_angle", refusals.internal_bevel(max(angles)))
-    elif min(angles) < _NEARLY_CYLINDRICAL:
-        problems.add("shaft_angle", refusals.nearly_cylindrical(min(angles)))
-
-
-def pitch_cone_angle(teeth: int, mate_teeth: int, shaft_angle: float) -> float:
-    """δ = atan2(sin Σ, z₂/z₁ + cos Σ), radians, of the member with z₁ teeth. Source: ISO 23509, 6.2."""
-    return float(np.arctan2(np.sin(shaft_angle), mate_teeth / teeth + np.cos(shaft_angle)))
 
 
 def _collar(bore_radius: float, hub_angle: float, inner: float, outer: float) -> Swept:

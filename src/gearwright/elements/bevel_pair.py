@@ -13,9 +13,10 @@ from ..parameters import Problems, Size, declared, member_value, rounded_down
 from . import declarations as d
 from . import remarks
 from .assembly import PlacedPart, draw_parts, save_parts
-from .bevel_gear import BevelGear, pitch_cone_angle, require_cone
+from .bevel_gear import BevelGear
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_angle_of_trace, require_one_pitch
+from .pitch_cone import pitch_cone_angle, require_cone
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
 _OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")

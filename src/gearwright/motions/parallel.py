@@ -57,9 +57,7 @@ class ParallelMotion(Motion):
         return np.linalg.det(self.linear(v)) + np.zeros(point.shape[:-1])
 
     def end_surface(self, end: End) -> Surface:
-        if not isinstance(end, ConstantEnd):
-            raise TypeError("a parallel sweep ends on planes of constant z")
-        return Plane(origin=(0.0, 0.0, end.parameter))
+        return level_plane(end)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         """By quadrature of (S1), nodes increased until it settles; about the middle of the section's way."""
@@ -82,6 +80,13 @@ class ParallelMotion(Motion):
 
         matrix, error = converged(scaled)
         return about_centroid(matrix * unit, "exact", error + section.moments_error, origin)
+
+
+def level_plane(end: End) -> Plane:
+    """The plane z = constant on which a parallel sweep ends; its normal is +z. Raises TypeError for other ends."""
+    if not isinstance(end, ConstantEnd):
+        raise TypeError("a parallel sweep ends on planes of constant z")
+    return Plane(origin=(0.0, 0.0, end.parameter))
 
 
 def in_space(vectors: Array, z: ArrayLike) -> Array:

@@ -11,11 +11,10 @@ from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import straight_sweep
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
-from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
-from .ends import ConstantEnd, End, Ends
+from .ends import End, Ends
 from .motion import Motion
-from .parallel import in_space
+from .parallel import in_space, level_plane
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,9 +35,7 @@ class Straight(Motion):
         return np.ones(np.broadcast_shapes(point.shape[:-1], np.shape(v)))
 
     def end_surface(self, end: End) -> Surface:
-        if not isinstance(end, ConstantEnd):
-            raise TypeError("a straight extrusion ends on planes of constant z")
-        return Plane(origin=(0.0, 0.0, end.parameter))
+        return level_plane(end)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
