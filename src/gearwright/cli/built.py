@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
+import numpy as np
+
+from .. import catalog
 from ..arrays import Array
 from ..parameters import MILLIMETRES, Size
 from ..solids.polyhedron import Polyhedron
@@ -88,3 +91,27 @@ class Built:
         (first, *_) = self.parts.values()
         element: Gear | Pair = first.gear if self.pair is None else self.pair
         return f"{self.kind}: {element.description}"
+
+
+def built_from(kind: catalog.Element, element: Any, density: float | None, turn: float) -> Built:
+    """What an element of the catalog is made of, with density in kg/m³ or None, a pair's pinion turned by degrees."""
+    if kind.members == 1:
+        gears: dict[str, Gear] = {kind.name: element}
+        placements = [np.eye(4)]
+    else:
+        gears = {"pinion": element.pinion, "gear": element.gear}
+        placements = list(element.placements(turn=turn))
+    units, own_density = units_and_density(element.length_unit, density)
+    parts = {
+        name: Part(gear=gear, placement=placement, properties=gear.properties(own_density))
+        for (name, gear), placement in zip(gears.items(), placements, strict=True)
+    }
+    pair = element if kind.members == 2 else None
+    return Built(
+        kind=kind.name,
+        origin=kind.origin,
+        parts=parts,
+        pair=pair,
+        pair_sizes=pair.sizes() if pair else {},
+        units=units,
+    )

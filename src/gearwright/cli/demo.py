@@ -12,11 +12,11 @@ import numpy as np
 from cyclopts import Parameter as Option
 from rich.table import Table
 
+from .. import catalog
 from ..elements.assembly import draw_parts, save_parts
-from ..elements.bevel_pair import BevelPair
 from ..parameters import from_mapping
 from ..solids.properties import MassProperties
-from .built import Built, Part, Units
+from .built import Built, Part, built_from
 from .exits import DONE
 from .outputs import placed_parts, progress
 from .report import number, plain_table, show
@@ -63,30 +63,16 @@ def demo(
     ),
 ) -> int:
     """Build the pair 16/20, straight and spiral; write STL and PNG files; compare exact with polyhedral properties."""
+    kind = next(one for one in catalog.ELEMENTS if one.name == "bevel pair")
     rows: dict[str, list[_Row]] = {"pinion": [], "gear": []}
     for trace, parameters in TRACES.items():
-        built = _built("bevel pair", from_mapping(BevelPair, {**PAIR, **parameters}))
+        built = built_from(kind, from_mapping(catalog.load(kind.source), {**PAIR, **parameters}), None, 0.0)
         _write(built, output / trace)
         for name, part in built.parts.items():
             rows[name] += _compare(trace, part)
     show(_table(rows), NOTE)
     print(f"wrote {output}/{{{','.join(TRACES)}}}/{{pinion.stl,gear.stl,pair.png}}", file=sys.stderr)
     return DONE
-
-
-def _built(kind: str, pair: BevelPair) -> Built:
-    parts = {
-        name: Part(gear=gear, placement=placement, properties=gear.properties())
-        for name, gear, placement in zip(("pinion", "gear"), (pair.pinion, pair.gear), pair.placements(), strict=True)
-    }
-    return Built(
-        kind=kind,
-        origin="the apex",
-        parts=parts,
-        pair=pair,
-        pair_sizes=pair.sizes(),
-        units=Units(length="in", mass="in^3"),
-    )
 
 
 def _write(built: Built, folder: Path) -> None:

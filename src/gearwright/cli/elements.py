@@ -8,12 +8,10 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from .. import catalog
 from ..errors import ParameterError, Problem, ProblemsError
 from ..parameters import declarations, from_mapping
-from .built import Built, Gear, Part, units_and_density
+from .built import built_from
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .exits import DONE
 from .json_output import built_json
@@ -42,7 +40,7 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
         kind = _chosen(kinds, words)
         values = given_values(parameters, words)
         element = _element(kind, kinds, values, outputs)
-        built = _built(kind, element, outputs)
+        built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
         written = write(built, outputs)
         print(built_json(built)) if outputs.json else show_built(built)
         for remark in element.remarks:
@@ -89,26 +87,3 @@ def _element(
 
 def _names(kind: catalog.Element) -> set[str]:
     return {d.name for d in declarations(catalog.load(kind.source))}
-
-
-def _built(kind: catalog.Element, element: Any, outputs: Outputs) -> Built:
-    if kind.members == 1:
-        gears: dict[str, Gear] = {kind.name: element}
-        placements = [np.eye(4)]
-    else:
-        gears = {"pinion": element.pinion, "gear": element.gear}
-        placements = list(element.placements(turn=outputs.turn or 0.0))
-    units, density = units_and_density(element.length_unit, outputs.density)
-    parts = {
-        name: Part(gear=gear, placement=placement, properties=gear.properties(density))
-        for (name, gear), placement in zip(gears.items(), placements, strict=True)
-    }
-    pair = element if kind.members == 2 else None
-    return Built(
-        kind=kind.name,
-        origin=kind.origin,
-        parts=parts,
-        pair=pair,
-        pair_sizes=pair.sizes() if pair else {},
-        units=units,
-    )
