@@ -10,7 +10,8 @@ import pytest
 
 import gearwright.curves
 from gearwright.curves.arc import Arc
-from gearwright.curves.curve import Curve, Mapped, gauss_legendre, mapped, turn
+from gearwright.curves.bezier import Bezier
+from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
@@ -25,6 +26,11 @@ EXAMPLES = {
         Line(first=(1.0, 0.3, -2.0), last=(4.0, 0.1, 0.7), interval=(0.2, 1.7)),
     ],
     Arc: [Arc(radius=1.7, centre=(0.4, -0.9), interval=(0.3, 2.9)), Arc(radius=0.2, interval=(1.0, -2.5))],
+    Bezier: [
+        Bezier(control=((0.0, 0.0), (1.0, 2.0), (3.0, -1.0), (2.0, 2.0))),
+        Bezier(control=((1.0, 0.0, 1.0), (0.5, 0.7, 0.2), (-1.0, 1.0, 0.3)), interval=(0.9, 0.2)),
+        Bezier(control=((0.3, 1.0), (2.0, 2.5)), interval=(0.0, 1.0)),
+    ],
     Involute: [Involute(base_radius=2.3, interval=(0.0, 1.4)), Involute(base_radius=0.7, interval=(0.8, -0.5))],
     Meridian: [Meridian(azimuth=2.2, interval=(0.4, 1.9))],
     Parallel: [Parallel(polar_angle=2.1, interval=(-0.4, 1.9))],
@@ -79,6 +85,25 @@ def test_points_and_derivatives_take_any_shape_of_parameters(curve):
         assert grid.dtype == np.float64
         np.testing.assert_allclose(function(u[1, 2]), grid[1, 2], rtol=1e-15, atol=1e-15)
         assert function(float(u[0, 0])).shape == (curve.start.size,)
+
+
+@pytest.mark.parametrize("examples", EXAMPLES.values(), ids=[cls.__name__ for cls in EXAMPLES])
+def test_many_curves_at_once_are_one_by_one(examples):
+    like = [curve for curve in examples if curve.start.size == examples[0].start.size]
+    curves = [*like, *(curve.reversed() for curve in like), *like]
+    points, tangents = along(curves, FRACTIONS)
+    for curve, p, t in zip(curves, points, tangents, strict=True):
+        u = curve.parameter(FRACTIONS)
+        np.testing.assert_allclose(p, curve.point(u), rtol=1e-15, atol=1e-15)
+        width = curve.interval[1] - curve.interval[0]
+        np.testing.assert_allclose(t, curve.derivative(u) * width, rtol=1e-14, atol=1e-14)
+
+
+def test_curves_of_several_classes_at_once_keep_their_order():
+    curves = [Line(first=(0.0, 0.0), last=(1.0, 0.0)), Arc(radius=1.0, interval=(0.0, 1.0)), *EXAMPLES[Bezier][:1]]
+    curves += [Line(first=(2.0, 3.0), last=(1.0, 0.5))]
+    points, _ = along(curves, np.array([0.0, 1.0]))
+    np.testing.assert_array_equal(points, [[c.start, c.end] for c in curves])
 
 
 @pytest.mark.parametrize("curve", CURVES)

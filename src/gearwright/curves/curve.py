@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Self
 
 import numpy as np
@@ -61,12 +63,40 @@ class Curve(ABC):
     def end(self) -> Array:
         return self.point(self.interval[1])
 
+    @classmethod
+    def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
+        """Points and d point / d fraction (n, m, d) of n curves of this class at fractions (m,).
+
+        One by one; a class of which sections hold hundreds evaluates them at once.
+        """
+        parameters = [curve.parameter(fractions) for curve in curves]
+        points = [curve.point(u) for curve, u in zip(curves, parameters, strict=True)]
+        tangents = [
+            curve.derivative(u) * (curve.interval[1] - curve.interval[0])
+            for curve, u in zip(curves, parameters, strict=True)
+        ]
+        return np.array(points), np.array(tangents)
+
     def quadrature(self, nodes: int) -> tuple[Array, Array]:
         """Gauss–Legendre points (n, d) and weighted tangents (n, d), so that ∮ f·dr ≈ Σ f(point)·tangent."""
-        x, w = gauss_legendre(nodes)
-        a, b = self.interval
-        u = self.parameter((x + 1.0) / 2.0)
-        return self.point(u), self.derivative(u) * (w * (b - a) / 2.0)[:, None]
+        return chain_quadrature([self], nodes)
+
+
+def along(curves: Sequence[Curve], fractions: Array) -> tuple[Array, Array]:
+    """Points and d point / d fraction (n, m, d) of curves of any classes at the same fractions (m,) of each."""
+    groups = [list(group) for _, group in groupby(curves, type)]
+    parts = [type(group[0]).together(group, fractions) for group in groups]
+    if len(parts) == 1:
+        return parts[0]
+    return np.concatenate([p for p, _ in parts]), np.concatenate([t for _, t in parts])
+
+
+def chain_quadrature(curves: Sequence[Curve], nodes: int) -> tuple[Array, Array]:
+    """Gauss–Legendre points and weighted tangents (n, d) of a chain of curves, `nodes` to each."""
+    x, w = gauss_legendre(nodes)
+    points, tangents = along(curves, (x + 1.0) / 2.0)
+    d = points.shape[-1]
+    return points.reshape(-1, d), (tangents * (w / 2.0)[:, None]).reshape(-1, d)
 
 
 @dataclass(frozen=True, kw_only=True)

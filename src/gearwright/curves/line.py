@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -25,3 +27,11 @@ class Line(Curve):
     def derivative(self, u: ArrayLike) -> Array:
         step = np.asarray(self.last, float) - np.asarray(self.first, float)
         return np.broadcast_to(step, (*np.shape(u), step.size)).copy()
+
+    @classmethod
+    def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
+        """All lines at once."""
+        first, last = (np.array([getattr(c, end) for c in curves], float)[:, None, :] for end in ("first", "last"))
+        a, b = (np.array(ends)[:, None] for ends in zip(*(c.interval for c in curves), strict=True))
+        u = (a * (1.0 - fractions) + b * fractions)[..., None]
+        return first * (1.0 - u) + last * u, (last - first) * (b - a)[..., None] + np.zeros_like(u)

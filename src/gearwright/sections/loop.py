@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve, mapped, turn
+from ..curves.curve import Curve, along, chain_quadrature, mapped, turn
 from ..errors import GeometryError, Problem
 
 CLOSURE = 1e-9
@@ -46,12 +46,11 @@ class Loop:
 
     def _gaps(self) -> list[Problem]:
         dimension = self.curves[0].start.size
-        ends = np.array([curve.end for curve in self.curves])
+        points, _ = along(self.curves, np.array([0.0, 0.5, 1.0]))
+        size = float(np.max(np.abs(points))) or 1.0
+        starts, ends = points[:, 0], points[:, 2]
         ends[-1] = turn(-self.sense * 2.0 * np.pi / self.copies, dimension) @ ends[-1]
-        starts = np.array([curve.start for curve in self.curves])
         gaps = np.linalg.norm(np.roll(starts, -1, axis=0) - ends, axis=1)
-        middles = np.array([curve.point(curve.parameter(0.5)) for curve in self.curves])
-        size = float(np.max(np.abs([starts, ends, middles]))) or 1.0
         return [
             Problem(
                 f"gap of {gap:.3g} after curve {i + 1} of {len(self.curves)} at {np.round(ends[i], 6)}",
@@ -63,8 +62,7 @@ class Loop:
 
     def quadrature(self, nodes: int) -> tuple[Array, Array]:
         """Points (n, d) and weighted tangents (n, d) of one period, `nodes` to a curve."""
-        parts = [curve.quadrature(nodes) for curve in self.curves]
-        return np.concatenate([p for p, _ in parts]), np.concatenate([t for _, t in parts])
+        return chain_quadrature(self.curves, nodes)
 
     def with_copies(self, copies: int) -> Loop:
         """The same loop as fewer, longer periods; `copies` divides the present number."""
