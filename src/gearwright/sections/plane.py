@@ -2,21 +2,110 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite, pi
+from numbers import Real
+from typing import Self
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, ArrayLike
+from ..curves.arc import Arc
+from ..curves.curve import Curve
+from ..errors import GeometryError, Problem
 from ..moments.boundary_integral import plane_moments
 from ..moments.plane import PlaneMoments
+from ..moments.quadrature import converged
+from .crossing import crossing_problems
 from .loop import Loop
+from .outlines import curve_loop, polygon_loop, spline_loop
+from .properties import SectionProperties
 from .section import LoopedSection
+from .support import Support, support
 
 
 @dataclass(frozen=True, kw_only=True)
 class Section(LoopedSection):
-    """A region of the plane bounded by loops of curves (d = 2)."""
+    """A region of the plane bounded by loops of curves (d = 2).
+
+    The named constructors take outlines of either sense, and refuse with the place those that do not close, enclose
+    nothing, cross or touch themselves or each other. From loops of one's own, the class itself checks their closure
+    and sense; whether they cross is checked before a sweep.
+    """
+
+    @classmethod
+    def polygon(cls, points: ArrayLike, holes: Sequence[ArrayLike] = ()) -> Self:
+        """The region inside a polygon (n, 2) and outside of polygons that are holes in it. Raises GeometryError."""
+        loops = [polygon_loop(points, "the outline", 1)]
+        loops += [polygon_loop(hole, f"hole {i + 1}", -1) for i, hole in enumerate(holes)]
+        return cls._simple(loops)
+
+    @classmethod
+    def spline(cls, points: ArrayLike, holes: Sequence[ArrayLike] = ()) -> Self:
+        """The region inside the periodic cubic spline through points (n, 2), and outside of such splines as holes.
+
+        The parameter grows by the distance between the points. Moments are those of the splines themselves.
+        Raises GeometryError.
+        """
+        loops = [spline_loop(points, "the outline", 1)]
+        loops += [spline_loop(hole, f"hole {i + 1}", -1) for i, hole in enumerate(holes)]
+        return cls._simple(loops)
+
+    @classmethod
+    def outline(cls, curves: Sequence[Curve], holes: Sequence[Sequence[Curve]] = ()) -> Self:
+        """The region inside a closed chain of curves, each starting where the one before it ends, and outside of such
+        chains as holes. Raises GeometryError."""
+        loops = [curve_loop(curves, "the outline", 1)]
+        loops += [curve_loop(hole, f"hole {i + 1}", -1) for i, hole in enumerate(holes)]
+        return cls._simple(loops)
+
+    @classmethod
+    def circle(cls, radius: float, centre: tuple[float, float] = (0.0, 0.0)) -> Self:
+        """A disc. Raises GeometryError for a radius that is not positive."""
+        _require({"radius": radius}, centre)
+        arc = Arc(radius=float(radius), centre=(float(centre[0]), float(centre[1])), interval=(0.0, 2.0 * pi))
+        return cls(loops=(Loop(curves=(arc,)),))
+
+    @classmethod
+    def rectangle(cls, width: float, height: float, centre: tuple[float, float] = (0.0, 0.0)) -> Self:
+        """A rectangle along the axes about its centre. Raises GeometryError for sides that are not positive."""
+        _require({"width": width, "height": height}, centre)
+        signs = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+        return cls.polygon(np.array(centre, float) + signs * np.array([width, height], float) / 2.0)
+
+    @classmethod
+    def _simple(cls, loops: Sequence[Loop]) -> Self:
+        section = cls(loops=tuple(loops))
+        section.require_simple()
+        return section
+
+    @cached_property
+    def _crossings(self) -> list[Problem]:
+        return crossing_problems(self.loops)
+
+    def require_simple(self) -> None:
+        """Raises GeometryError where loops cross or touch themselves or each other, or holes lie outside."""
+        if self._crossings:
+            raise GeometryError("This is not a section", self._crossings)
+
+    def properties(self) -> SectionProperties:
+        """Area, centroid, second moments and moments to order 3, on the true curves."""
+        return SectionProperties(local=self.local_moments, perimeter=self._perimeter, error_bound=self.moments_error)
+
+    @cached_property
+    def _perimeter(self) -> float:
+        def length(nodes: int) -> Array:
+            tangents = (loop.copies * np.linalg.norm(loop.quadrature(nodes)[1], axis=1).sum() for loop in self.loops)
+            return np.array(sum(tangents))
+
+        return float(converged(length)[0])
+
+    @cached_property
+    def support(self) -> Support:
+        """How far the section reaches in every direction."""
+        return support(self.loops[0].with_copies(1).curves)
 
     @cached_property
     def _frame(self) -> tuple[Array, float]:
@@ -50,3 +139,20 @@ class Section(LoopedSection):
     def moments(self) -> Array:
         """m[a, b] = ∫ x^a y^b dA (4, 4) for a + b ≤ 3, about the section's origin."""
         return self.local_moments.about((0.0, 0.0))
+
+
+def _require(lengths: dict[str, float], centre: tuple[float, float]) -> None:
+    """Raises GeometryError for lengths that are not positive or a centre that is no point of the plane."""
+    problems = [
+        Problem(f"{name} = {value}", "a length greater than 0 is needed")
+        for name, value in lengths.items()
+        if not (_finite(value) and value > 0.0)
+    ]
+    if np.shape(centre) != (2,) or not all(map(_finite, centre)):
+        problems.append(Problem(f"centre = {centre}", "a point (x, y) is needed"))
+    if problems:
+        raise GeometryError("This is not a section", problems)
+
+
+def _finite(value: object) -> bool:
+    return isinstance(value, Real) and isfinite(value)

@@ -1,0 +1,81 @@
+"""Whether the loops of a section cross or touch themselves or each other, and where."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..arrays import Array
+from ..curves.curve import Curve, along
+from ..errors import Problem
+from .loop import Loop
+
+_COARSE, _FINE = 1e-5, 1e-8  # chords' distance from their curves, relative to the section's size
+_LOOK = 16  # chords by whose sagitta the number of chords is chosen
+_MOST = 4096  # chords a curve
+
+
+def crossing_problems(loops: Sequence[Loop]) -> list[Problem]:
+    """What keeps the loops, the outer one first, from bounding one region; empty if nothing does.
+
+    Found on chords (straight sides are their own), coarse ones first: what seems to cross is looked at again
+    with chords a thousand times closer to the curves.
+    """
+    curves = [loop.with_copies(1).curves for loop in loops]
+    coarse = _problem([_chords(one, _COARSE) for one in curves])
+    fine = _problem([_chords(one, _FINE) for one in curves]) if coarse else None
+    return [fine] if fine else []
+
+
+def _problem(rings: Sequence[Array]) -> Problem | None:
+    import shapely
+
+    reason = shapely.is_valid_reason(shapely.Polygon(rings[0], rings[1:]))
+    if reason == "Valid Geometry":
+        return None
+    kind, x, y = _kind_and_place(str(reason))
+    loops = " and ".join(str(i + 1) for i in _at(rings, np.array([x, y])))
+    messages = {
+        "Self-intersection": "the outline crosses itself or a hole there",
+        "Ring Self-intersection": "the outline touches itself there",
+        "Hole lies outside shell": "this hole lies outside the outer loop",
+        "Holes are nested": "this hole lies inside another hole",
+        "Interior is disconnected": "holes touch there and cut the section in two",
+    }
+    return Problem(
+        f"loop {loops or '1'} at ({x:.6g}, {y:.6g})",
+        f"{messages.get(kind, kind)}; a section is one region, its loops clear of themselves and of each other",
+    )
+
+
+def _kind_and_place(reason: str) -> tuple[str, float, float]:
+    """Of a reason such as "Self-intersection[1.5 2]"."""
+    found = re.fullmatch(r"(.*?)\[(\S+) (\S+)\]", reason)
+    return (found[1], float(found[2]), float(found[3])) if found else (reason, np.nan, np.nan)
+
+
+def _at(rings: Sequence[Array], place: Array) -> list[int]:
+    """Numbers of the rings that pass through a place, about."""
+    import shapely
+
+    distances = [shapely.Point(place).distance(shapely.LinearRing(ring)) for ring in rings]
+    near = min(distances) + 1e-9 * float(np.ptp(rings[0], axis=0).max())
+    return [i for i, distance in enumerate(distances) if distance <= near]
+
+
+def _chords(curves: Sequence[Curve], tolerance: float) -> Array:
+    """Points (n, 2) along a chain of curves, with chords within the tolerance × size of them."""
+    looks, _ = along(curves, np.linspace(0.0, 1.0, _LOOK + 1))
+    size = float(np.ptp(looks.reshape(-1, 2), axis=0).max())
+    sagitta = np.linalg.norm(looks[:, 2:] - 2.0 * looks[:, 1:-1] + looks[:, :-2], axis=-1).max(axis=1) / 8.0
+    wanted = _LOOK * np.sqrt(sagitta / (tolerance * size))
+    counts = np.where(sagitta <= 1e-15 * size, 1.0, np.clip(2.0 ** np.ceil(np.log2(np.maximum(wanted, 1.0))), 2, _MOST))
+    pieces: list[Array] = [np.empty((0, 2))] * len(curves)
+    for count in np.unique(counts):
+        chosen = np.flatnonzero(counts == count)
+        points, _ = along([curves[int(i)] for i in chosen], np.arange(count) / count)
+        for i, piece in zip(chosen, points, strict=True):
+            pieces[i] = piece
+    return np.concatenate(pieces)
