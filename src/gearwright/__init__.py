@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from .curves.helix import helix
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
     from .elements.spur_gear import SpurGear
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from .sections.plane import Section
     from .solids.polyhedron import Polyhedron
     from .solids.properties import MassProperties
-    from .solids.sweeps import extrude, revolve
+    from .solids.sweeps import extrude, revolve, sweep, sweep_along
 
 __all__ = [
     "BevelGear",
@@ -36,11 +37,15 @@ __all__ = [
     "SpurGear",
     "__version__",
     "extrude",
+    "helix",
     "mass_properties",
     "revolve",
+    "sweep",
+    "sweep_along",
 ]
 
 _MODULES = {
+    ".curves.helix": ("helix",),
     ".elements.bevel_gear": ("BevelGear",),
     ".elements.bevel_pair": ("BevelPair",),
     ".elements.spur_gear": ("SpurGear",),
@@ -49,7 +54,7 @@ _MODULES = {
     ".sections.plane": ("Section",),
     ".solids.polyhedron": ("Polyhedron",),
     ".solids.properties": ("MassProperties",),
-    ".solids.sweeps": ("extrude", "revolve"),
+    ".solids.sweeps": ("extrude", "revolve", "sweep", "sweep_along"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

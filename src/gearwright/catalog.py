@@ -90,6 +90,16 @@ MOTIONS = (
         source="gearwright.motions.extrusion:Extrusion",
     ),
     Motion(
+        name="transforming",
+        summary="a plane section extruded while any smooth transform maps its plane",
+        source="gearwright.motions.transforming:Transforming",
+    ),
+    Motion(
+        name="along",
+        summary="a plane section swept along a path in space",
+        source="gearwright.motions.along:Along",
+    ),
+    Motion(
         name="revolution",
         summary="a section of the half-plane revolved about its axis",
         source="gearwright.motions.revolution:Revolution",

@@ -12,10 +12,12 @@ import gearwright.curves
 from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
 from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
+from gearwright.curves.helix import helix
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
+from gearwright.curves.path import Path, path_through
 from gearwright.curves.spherical_involute import SphericalInvolute
 
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
@@ -34,6 +36,10 @@ EXAMPLES = {
     Involute: [Involute(base_radius=2.3, interval=(0.0, 1.4)), Involute(base_radius=0.7, interval=(0.8, -0.5))],
     Meridian: [Meridian(azimuth=2.2, interval=(0.4, 1.9))],
     Parallel: [Parallel(polar_angle=2.1, interval=(-0.4, 1.9))],
+    Path: [
+        helix(2.0, 0.7, 1.3, "left"),
+        path_through([(0.0, 0.0, 1.0), (2.0, 0.3, 0.0), (3.0, 2.0, -1.0), (1.0, 4.0, 0.5)]),
+    ],
     SphericalInvolute: [
         SphericalInvolute(base_cone_angle=0.6, interval=(0.0, 3.5)),
         SphericalInvolute(base_cone_angle=1.3, interval=(3.1, 0.2)),

@@ -11,17 +11,25 @@ import pytest
 import gearwright.motions
 from gearwright.boundary.swept import swept_boundary
 from gearwright.curves.arc import Arc
+from gearwright.curves.frames import fixed_up, frenet, rotation_minimising
+from gearwright.curves.helix import helix
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
+from gearwright.curves.path import path_through
 from gearwright.curves.spherical_involute import SphericalInvolute
 from gearwright.curves.trace import LogarithmicTrace, StraightTrace
+from gearwright.moments.matrix import shifted
+from gearwright.motions.along import Along
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
 from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.motion import Motion
+from gearwright.motions.plane_quadrature import quadrature_moments
 from gearwright.motions.radial import Radial
 from gearwright.motions.revolution import FULL_TURN, Revolution
 from gearwright.motions.straight import Straight
+from gearwright.motions.transform import polynomial_transform, transform_of
+from gearwright.motions.transforming import Transforming
 from gearwright.sections.loop import Loop
 from gearwright.sections.plane import Section
 from gearwright.sections.sphere import SphericalSection
@@ -82,6 +90,18 @@ class Example:
         )
 
 
+def shearing(xi):
+    return [[1.0 - 0.1 * xi, 0.2 * np.sin(xi), 0.3 * xi], [0.05 * xi**2, 1.0 + 0.1 * xi, -0.2], [0.0, 0.0, 1.0]]
+
+
+def spiralling(xi):
+    """A turn with even growth: it commutes with every turn."""
+    a = np.exp(0.1 * xi)
+    return a * np.array([[np.cos(xi), -np.sin(xi)], [np.sin(xi), np.cos(xi)]])
+
+
+BEND = [(0.0, 0.0, 0.0), (8.0, 1.0, 3.0), (15.0, 7.0, 1.0), (18.0, 16.0, 5.0)]
+
 EXAMPLES = {
     Straight: [Example(Straight(), plane_section(), between(-0.7, 2.1))],
     Extrusion: [
@@ -91,6 +111,25 @@ EXAMPLES = {
         Example(Extrusion(length=2.5, skew=(3.0, -1.0)), plane_section(), between(0.0, 2.5)),
         Example(
             Extrusion(length=2.5, twist=2.0, scale=(1.3, 0.7), skew=(-0.4, 0.9)), plane_section(), between(0.0, 2.5)
+        ),
+    ],
+    Transforming: [
+        Example(Transforming(transform=transform_of(shearing, 2.5, 1e-14)), plane_section(), between(0.0, 2.5)),
+        Example(
+            Transforming(transform=polynomial_transform({"f1": [1.0, 0.2, -0.05], "h2": [0.0, 1.0, 0.3]}, 2.0)),
+            plane_section(),
+            between(0.1, 1.9),
+        ),
+        Example(Transforming(transform=transform_of(spiralling, 2.5, 1e-14)), plane_section(), between(0.0, 2.5)),
+    ],
+    Along: [
+        Example(Along(frame=rotation_minimising(helix(9.0, 4.0, 0.8))), plane_section(), between(0.0, 1.0)),
+        Example(Along(frame=frenet(helix(9.0, 4.0, 0.8, "left"))), plane_section(), between(0.2, 0.9)),
+        Example(Along(frame=fixed_up(path_through(BEND))), plane_section(), between(0.0, 1.0)),
+        Example(
+            Along(frame=rotation_minimising(path_through(BEND)), transform=transform_of(shearing, 1.0, 1e-14)),
+            plane_section(),
+            between(0.0, 1.0),
         ),
     ],
     Revolution: [
@@ -301,6 +340,43 @@ class TestStraight:
 
 
 class TestExtrusion:
+    @pytest.mark.parametrize("parameters", [e.motion for e in EXAMPLES[Extrusion]], ids=repr)
+    def test_the_closed_form_is_the_quadrature(self, parameters):
+        section = plane_section()
+        closed = parameters.moments(section, between(0.1, 2.3))
+        quadrature = quadrature_moments(parameters, section, 0.1, 2.3)
+        assert closed.evaluations == 0 < quadrature.evaluations
+        assert closed.volume == pytest.approx(quadrature.volume, rel=2e-15)
+        np.testing.assert_allclose(closed.centroid, quadrature.centroid, atol=4e-15)
+        scale = np.linalg.norm(quadrature.central_second)
+        np.testing.assert_allclose(closed.central_second, quadrature.central_second, atol=4e-15 * scale)
+
+    @pytest.mark.parametrize("distance", [50.0, 1e4])
+    def test_far_from_the_axis_it_is_the_quadrature(self, distance):
+        """The closed form takes moments about the axis, and would lose the digits that the distance takes."""
+        section = Section.rectangle(2.0, 1.0, (distance, 0.0))
+        body = Extrusion(length=2.0, twist=1e-3).moments(section, between(0.0, 2.0))
+        assert body.evaluations > 0
+        assert body.volume == pytest.approx(4.0, rel=1e-13)
+        assert body.error_bound < 1e-13 * distance
+
+    @pytest.mark.parametrize("twist", [1e-12, 1e-9, 1e-6, 1e-3])
+    def test_tiny_twists_follow_their_series(self, twist):
+        """About the axis, where nothing is subtracted: S(twist) to the second order in the twist."""
+        section = plane_section()
+        m, length = section.moments, 2.0
+        body = Extrusion(length=length, twist=twist).moments(section, between(0.0, length))
+        matrix = shifted(body.matrix, body.origin)
+        xx, yy, xy = m[2, 0], m[0, 2], m[1, 1]
+        a, b = twist * length / 2.0, twist**2 * length / 3.0  # ∫ φ dz and ∫ φ² dz
+        expected = np.array(
+            [
+                [length * xx - 2.0 * a * xy + b * (yy - xx), length * xy + a * (xx - yy) - 2.0 * b * xy],
+                [length * xy + a * (xx - yy) - 2.0 * b * xy, length * yy + 2.0 * a * xy + b * (xx - yy)],
+            ]
+        )
+        np.testing.assert_allclose(matrix[1:3, 1:3] / xx, expected / xx, rtol=0.0, atol=3e-15 + 4.0 * twist**3)
+
     @pytest.mark.parametrize("twist", [0.0, 1e-12, 1e-6, 1e-3])
     def test_without_twist_it_is_the_straight_extrusion_and_with_little_its_series(self, twist):
         section, ends = plane_section(), between(0.0, 2.0)

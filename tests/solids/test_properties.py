@@ -213,6 +213,6 @@ def test_dictionary_is_plain_and_complete():
         list(values)
         == (
             "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
-            " principal_axes radii_of_gyration moments area bounding_box method error_bound"
+            " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
         ).split()
     )

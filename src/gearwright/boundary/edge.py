@@ -62,6 +62,14 @@ class EdgeUse:
     turn: int = 0
 
 
+def motion_panels(motion: Motion, ends: Ends) -> tuple[float, ...]:
+    """Fractions of the way between the ends at which a motion is smooth but not analytic."""
+    if ends.constants is None:
+        return ()
+    start, finish = ends.constants
+    return tuple((v - start) / (finish - start) for v in motion.panels(start, finish))
+
+
 @dataclass(frozen=True, kw_only=True)
 class Rail(Curve):
     """The way of one section point through a motion, by the fraction t between the ends."""
@@ -78,6 +86,10 @@ class Rail(Curve):
     def derivative(self, u: ArrayLike) -> Array:
         p = self._points(u)
         return self.motion.velocity(p, self.ends.value(p, u)) * self.ends.span(p)[..., None]
+
+    @property
+    def panels(self) -> tuple[float, ...]:
+        return motion_panels(self.motion, self.ends)
 
     def _points(self, u: ArrayLike) -> Array:
         point = np.asarray(self.section_point)

@@ -8,14 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize
 
-from ..arrays import Array
+from ..arrays import Array, Indices
+from ..curves.curve import Curve, in_panels
 from ..moments.quadrature import converged
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flux import loop_quadrature, patch_quadrature
 
 _GRID = 17  # samples a side of a patch in the search for its extremes
+_TO_ROUNDING = {"ftol": 1e-15, "gtol": 0.0, "maxiter": 200}
 _NEAR_BEST = 0.02  # of the size: a sample worth refining; a patch sagging more between samples would be a poor one
+_MOST_TOPS = 16  # refined in a patch: a spring's windings reach almost equally far
 _LOOP_SAMPLES = 64  # a curve, to see whether an extreme of a cap's surface lies in the cap
 
 
@@ -35,17 +38,30 @@ def bounding_box(boundary: Boundary) -> Array:
         for row, sign in enumerate((-1.0, 1.0)):
             best = float(np.max(sign * samples[:, axis]))
             near = [c for c in candidates if np.max(sign * c.points[..., axis]) > best - _NEAR_BEST * size]
-            box[row, axis] = sign * max([*(c.refined(axis, sign) for c in near), *(sign * inside[:, axis])])
+            box[row, axis] = sign * max(
+                [*(c.refined(axis, sign, best - _NEAR_BEST * size) for c in near), *(sign * inside[:, axis])]
+            )
     return box
 
 
 def rough_diagonal(boundary: Boundary) -> float:
-    """Diagonal of the bounding box to a thousandth or so, from points along the edges and extremes inside caps."""
-    fractions = np.linspace(0.0, 1.0, _GRID)
-    edges = [edge.pattern.images(edge.curve.point(edge.curve.parameter(fractions))) for edge in boundary.edges]
+    """Diagonal of the bounding box to a hundredth or so: from points along edges and on patches, extremes in caps."""
+    edges = [edge.pattern.images(_along(edge.curve)) for edge in boundary.edges]
+    edges += [patch.pattern.images(patch.point(*_middles(patch))) for patch in boundary.patches]
     inside = [point for cap in boundary.caps for point in _extremes_inside(cap)]
     points = np.concatenate([*(images.reshape(-1, 3) for images in edges), np.array(inside).reshape(-1, 3)])
     return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def _middles(patch: Patch) -> tuple[Array, Array]:
+    """Fractions (u, v) of some points of a patch."""
+    quarters = np.array([0.25, 0.5, 0.75])
+    u, v = np.meshgrid(quarters, in_panels(patch.panels, quarters))
+    return u.ravel(), v.ravel()
+
+
+def _along(curve: Curve) -> Array:
+    return curve.point(curve.parameter(curve.fractions(_GRID - 1)))
 
 
 def _area(boundary: Boundary, nodes: int) -> float:
@@ -68,12 +84,14 @@ class _Candidates:
     @classmethod
     def of(cls, patch: Patch) -> _Candidates:
         side = np.linspace(0.0, 1.0, _GRID)
-        fractions = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+        up = in_panels(patch.panels, side[:-1], last=True)
+        fractions = np.stack(np.meshgrid(side, up), axis=-1).reshape(-1, 2)
         return cls(patch, fractions, patch.pattern.images(patch.point(*fractions.T)))
 
-    def refined(self, axis: int, sign: float) -> float:
-        """Greatest sign × coordinate, by descent from the best sample."""
-        image, index = np.unravel_index(np.argmax(sign * self.points[..., axis]), self.points.shape[:2])
+    def refined(self, axis: int, sign: float, least: float) -> float:
+        """Greatest sign × coordinate, by descent from the highest sample and others above `least` along the motion."""
+        heights = sign * self.points[..., axis]
+        image = int(np.unravel_index(np.argmax(heights), heights.shape)[0])
         direction = np.zeros(3)
         direction[axis] = -sign
         # the image's coordinate is the sector's along the direction turned back
@@ -83,8 +101,27 @@ class _Candidates:
             du, dv = self.patch.partials(*uv)
             return float(self.patch.point(*uv) @ back), np.array([du @ back, dv @ back])
 
-        found = minimize(height, self.fractions[index], jac=True, method="L-BFGS-B", bounds=[(0.0, 1.0)] * 2)
-        return max(-float(found.fun), float(np.max(sign * self.points[..., axis])))
+        found = [float(heights.max())]
+        for start in _tops(heights[image].reshape(-1, _GRID), least):
+            result = minimize(
+                height,
+                self.fractions[start],
+                jac=True,
+                method="L-BFGS-B",
+                bounds=[(0.0, 1.0)] * 2,
+                options=_TO_ROUNDING,
+            )
+            found.append(-float(result.fun))
+        return max(found)
+
+
+def _tops(heights: Array, least: float) -> Indices:
+    """Samples, as numbers into (rows, columns), that are highest in a row higher than its neighbours; the best few."""
+    rows = heights.max(axis=1)
+    around = np.concatenate([[-np.inf], rows, [-np.inf]])
+    tops = np.flatnonzero((rows >= around[:-2]) & (rows >= around[2:]) & (rows >= least))
+    chosen = tops[np.argsort(-rows[tops])][:_MOST_TOPS]
+    return np.asarray(chosen * heights.shape[1] + heights[chosen].argmax(axis=1))
 
 
 def _extremes_inside(cap: Cap) -> Iterator[Array]:

@@ -11,7 +11,7 @@ from ..curves.curve import Curve
 from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..surfaces.surface import Surface
-from .edge import EdgeUse
+from .edge import EdgeUse, motion_panels
 from .pattern import ALONE, Pattern
 
 
@@ -32,6 +32,11 @@ class Patch:
     sides: tuple[EdgeUse, EdgeUse, EdgeUse, EdgeUse]
     pattern: Pattern = ALONE
     surface: Surface | None = None
+
+    @property
+    def panels(self) -> tuple[float, ...]:
+        """Fractions v at which the motion is smooth but not analytic."""
+        return motion_panels(self.motion, self.ends)
 
     def point(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at fractions u along the curve and v between the ends, both (...)."""

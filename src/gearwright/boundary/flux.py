@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
+from ..curves.curve import in_panels
 from ..moments.flux import flux_moments
 from ..moments.matrix import patterned
 from ..moments.quadrature import gauss_legendre
@@ -25,7 +26,7 @@ class Flux:
 
 
 def boundary_flux(patches: Sequence[Patch], caps: Sequence[Cap], nodes: int) -> Flux:
-    """Flux by Gauss–Legendre quadrature with nodes² points a patch and `nodes` points a cap's edge."""
+    """Flux by Gauss–Legendre quadrature with nodes² points a panel of a patch and `nodes` points a cap's edge."""
     matrix, vector, area = np.zeros((4, 4)), np.zeros(3), 0.0
     for patch in patches:
         points, area_vectors = patch_quadrature(patch, nodes)
@@ -52,10 +53,12 @@ def loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
 
 
 def patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
-    """Points (nodes², 3) of one image of a patch and weighted area vectors (nodes², 3)."""
+    """Points (n, 3) of one image of a patch and weighted area vectors (n, 3), nodes² to each of its panels."""
     x, w = gauss_legendre(nodes)
-    u, v = (a.ravel() for a in np.meshgrid((x + 1.0) / 2.0, (x + 1.0) / 2.0, indexing="ij"))
-    weights = np.outer(w, w).ravel() / 4.0
+    along, up = (x + 1.0) / 2.0, in_panels(patch.panels, (x + 1.0) / 2.0)
+    u, v = (a.ravel() for a in np.meshgrid(along, up, indexing="ij"))
+    widths = np.diff([0.0, *patch.panels, 1.0])
+    weights = np.outer(w, np.outer(widths, w)).ravel() / 4.0
     return patch.point(u, v), patch.area_vector(u, v) * weights[:, None]
 
 

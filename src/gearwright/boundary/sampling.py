@@ -13,10 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
 from ..arrays import Array
+from ..curves.curve import in_panels
 from ..errors import GeometryError, Problem
 from .boundary import Boundary
 from .edge import Edge
@@ -30,18 +32,16 @@ _MARGIN = 1.1  # the bounds above are taken at sample points
 _DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
 
 
-def _sample_points() -> tuple[tuple[Array, Array], slice, slice, slice]:
+@cache
+def _sample_points(panels: tuple[float, ...]) -> tuple[tuple[Array, Array], slice, slice, slice]:
     """Fractions (u, v) inside a patch and on its borders along u and along v, and the slices of each."""
-    along, up = (np.arange(16) + 0.5) / 16.0, (np.arange(8) + 0.5) / 8.0
+    along, up = (np.arange(16) + 0.5) / 16.0, in_panels(panels, np.linspace(0.0625, 0.9375, 8))
     inside = np.stack(np.meshgrid(along, up), axis=-1).reshape(-1, 2)
     border_u = np.stack(np.meshgrid(along, [0.0, 1.0]), axis=-1).reshape(-1, 2)
     border_v = np.stack(np.meshgrid([0.0, 1.0], up), axis=-1).reshape(-1, 2)
     u, v = np.concatenate([inside, border_u, border_v]).T
     first, second = len(inside), len(inside) + len(border_u)
     return (u, v), slice(0, first), slice(first, second), slice(second, None)
-
-
-_SAMPLES, _INSIDE, _BORDER_U, _BORDER_V = _sample_points()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,17 +127,17 @@ class _Bounds:
 
     @classmethod
     def of(cls, patch: Patch) -> _Bounds:
-        u, v = _SAMPLES
+        (u, v), inside, on_u, on_v = _sample_points(patch.panels)
         du, dv = patch.partials(u, v)
         normal = _unit(np.cross(du, dv))
         uu, uv, vv = _second_partials(patch, u, v)
         across_u, across_v = _across(uu, du), _across(vv, dv)
         return cls(
-            uu=_greatest(np.abs(np.sum(normal * uu, axis=-1))[_INSIDE]),
-            uv=_greatest(np.abs(np.sum(normal * uv, axis=-1))[_INSIDE]),
-            vv=_greatest(np.abs(np.sum(normal * vv, axis=-1))[_INSIDE]),
-            border_u=_greatest(across_u[_BORDER_U]),
-            border_v=_greatest(across_v[_BORDER_V]),
+            uu=_greatest(np.abs(np.sum(normal * uu, axis=-1))[inside]),
+            uv=_greatest(np.abs(np.sum(normal * uv, axis=-1))[inside]),
+            vv=_greatest(np.abs(np.sum(normal * vv, axis=-1))[inside]),
+            border_u=_greatest(across_u[on_u]),
+            border_v=_greatest(across_v[on_v]),
         )
 
     def columns(self, layers: Array | int, tolerance: float) -> Array:
@@ -191,12 +191,11 @@ def _greatest(values: Array) -> float:
 
 def _thinnest(boundary: Boundary) -> float:
     """Length of the shortest way of a section point through the motion, about."""
-    fractions = np.linspace(0.0, 1.0, 9)
     lengths = []
     for patch in boundary.patches:
         edge = patch.sides[1].edge
         if not edge.degenerate:
-            points = edge.curve.point(edge.curve.parameter(fractions))
+            points = edge.curve.point(edge.curve.parameter(edge.curve.fractions(8)))
             lengths.append(float(np.sum(np.linalg.norm(np.diff(points, axis=0), axis=1))))
     return min(lengths, default=np.inf)
 

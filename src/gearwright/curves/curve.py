@@ -56,6 +56,15 @@ class Curve(ABC):
         return replace(self, interval=self.interval[::-1])
 
     @property
+    def panels(self) -> tuple[float, ...]:
+        """Fractions at which the curve is smooth but not analytic: where quadratures and searches start anew."""
+        return ()
+
+    def fractions(self, steps: int) -> Array:
+        """Fractions of the interval from 0 to 1, so many equal steps in each panel."""
+        return in_panels(self.panels, np.arange(steps) / steps, last=True)
+
+    @property
     def start(self) -> Array:
         return self.point(self.interval[0])
 
@@ -78,8 +87,19 @@ class Curve(ABC):
         return np.array(points), np.array(tangents)
 
     def quadrature(self, nodes: int) -> tuple[Array, Array]:
-        """Gauss–Legendre points (n, d) and weighted tangents (n, d), so that ∮ f·dr ≈ Σ f(point)·tangent."""
-        return chain_quadrature([self], nodes)
+        """Gauss–Legendre points and weighted tangents (n, d), `nodes` a panel, so that ∮ f·dr ≈ Σ f(point)·tangent."""
+        x, w = gauss_legendre(nodes)
+        a, b = self.interval
+        u = self.parameter(in_panels(self.panels, (x + 1.0) / 2.0))
+        weights = np.outer(np.diff([0.0, *self.panels, 1.0]), w).ravel() * ((b - a) / 2.0)
+        return self.point(u), self.derivative(u) * weights[:, None]
+
+
+def in_panels(panels: Sequence[float], fractions: Array, *, last: bool = False) -> Array:
+    """Fractions of each of the panels that cut the interval from 0 to 1, one after another; `last` adds 1."""
+    cuts = np.array([0.0, *panels, 1.0])
+    found = (cuts[:-1, None] + np.diff(cuts)[:, None] * fractions).ravel()
+    return np.append(found, 1.0) if last else found
 
 
 def along(curves: Sequence[Curve], fractions: Array) -> tuple[Array, Array]:
@@ -92,7 +112,7 @@ def along(curves: Sequence[Curve], fractions: Array) -> tuple[Array, Array]:
 
 
 def chain_quadrature(curves: Sequence[Curve], nodes: int) -> tuple[Array, Array]:
-    """Gauss–Legendre points and weighted tangents (n, d) of a chain of curves, `nodes` to each."""
+    """Gauss–Legendre points and weighted tangents (n, d) of a chain of curves without panels, `nodes` to each."""
     x, w = gauss_legendre(nodes)
     points, tangents = along(curves, (x + 1.0) / 2.0)
     d = points.shape[-1]

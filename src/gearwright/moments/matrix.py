@@ -45,7 +45,8 @@ def transformed(matrix: Array, linear: ArrayLike, translation: ArrayLike = 0.0) 
 
 def shifted(matrix: Array, translation: ArrayLike) -> Array:
     """Moments of the body moved by a translation (d,)."""
-    return transformed(matrix, np.eye(matrix.shape[-1] - 1), translation)
+    map_ = affine(np.eye(matrix.shape[-1] - 1), translation)
+    return map_ @ matrix @ map_.T
 
 
 def patterned(matrix: Array, order: int) -> Array:

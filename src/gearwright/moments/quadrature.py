@@ -31,6 +31,51 @@ def converged(integral: Callable[[int], Array]) -> tuple[Array, float]:
     return value, max(change, 2.0 * float(np.finfo(float).eps))
 
 
+_COARSE, _FINE = 12, 20  # nodes a panel: the difference of the two rules is the error of the coarse one
+_MOST_LEVELS = 40  # bisections
+_MOST_PANELS = 4096  # panels bisected at once, beyond which the error is reported as it is
+
+
+def adaptive(integrand: Callable[[Array], Array], breaks: Array, tolerance: float) -> tuple[Array, float, int]:
+    """∫ integrand over [breaks[0], breaks[-1]], its error bound, and how many values were taken.
+
+    integrand   x (n,) → values (n, ...), entries of the order of the first one
+    breaks      ends of the first panels; where two Gauss–Legendre rules differ, panels are halved
+    tolerance   relative to the first entry of the result
+
+    The error bound, also relative to it, is the sum of the differences that were left: more than the tolerance
+    only where an integrand is not smooth.
+    """
+    panels = np.stack([breaks[:-1], breaks[1:]], axis=1)
+    settled, error, evaluations = 0.0, 0.0, 0
+    for level in range(_MOST_LEVELS):
+        coarse, fine = (_by_panel(integrand, panels, nodes) for nodes in (_COARSE, _FINE))
+        evaluations += len(panels) * (_COARSE + _FINE)
+        total = settled + fine.sum(axis=0)
+        scale = abs(float(np.ravel(total)[0])) or 1.0
+        difference = np.abs(fine - coarse).reshape(len(panels), -1).max(axis=1)
+        share = np.maximum(np.diff(panels, axis=1)[:, 0] / (breaks[-1] - breaks[0]), 1.0 / _MOST_PANELS)
+        rough = difference > tolerance * scale * share / 2.0
+        if level == _MOST_LEVELS - 1 or np.count_nonzero(rough) > _MOST_PANELS:
+            rough[:] = False
+        settled = settled + fine[~rough].sum(axis=0)
+        error += float(difference[~rough].sum()) / scale
+        if not rough.any():
+            break
+        start, stop = panels[rough].T
+        middle = (start + stop) / 2.0
+        panels = np.concatenate([np.stack([start, middle], axis=1), np.stack([middle, stop], axis=1)])
+    return np.asarray(settled), max(error, 2.0 * float(np.finfo(float).eps)), evaluations
+
+
+def _by_panel(integrand: Callable[[Array], Array], panels: Array, nodes: int) -> Array:
+    """The integral over each panel (n, ...) by one Gauss–Legendre rule."""
+    x, w = gauss_legendre(nodes)
+    half = np.diff(panels, axis=1) / 2.0
+    values = integrand((panels.mean(axis=1)[:, None] + half * x).ravel())
+    return np.asarray(np.einsum("pn,pn...->p...", half * w, values.reshape(len(panels), nodes, *values.shape[1:])))
+
+
 _RULES: dict[int, tuple[Array, Array]] = {}
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import factorial
 
 import numpy as np
 
@@ -25,21 +26,101 @@ def straight_sweep(section: Array, length: float) -> Array:
     return moment_matrix(length * m[0, 0], first, second)
 
 
-def parallel_sweep(section: Array, linear: Array, shifts: Array, weights: Array) -> Array:
-    """Moment matrix (4, 4) of a plane section swept through planes of constant z: a quadrature of (S1).
+def plane_sweep(section: Array, places: Array, axes: Array, elements: Array) -> Array:
+    """Moment matrices (n, 4, 4) per unit of the motion's parameter of a plane section moved in any way.
 
-    section   (3, 3)     moment matrix of the section about a point of its own
-    linear    (n, 2, 2)  the section's linear map at each node
-    shifts    (n, 3)     where that point of the section is at each node, from the origin of the moments
-    weights   (n,)       weights of the nodes, times det A
+    section    (4, 4)     m[a, b] = ∫ x^a y^b dA about a point of its own, to order 3
+    places     (n, 3)     where that point is, from the origin of the moments
+    axes       (n, 3, 2)  what the motion makes of the section's x and y
+    elements   (n, 3)     the volume element J = j₀ + j_x x + j_y y, linear in the section point
 
-    M = ∫ det A T M₂ Tᵀ dξ with T = [1 0; shift (A; 0)]. Source: Al-Daccak 1989, eqs. (5.3)–(5.13).
+    dM = T ∫ (j₀ + j_x x + j_y y) h hᵀ dA Tᵀ with h = (1, x, y) and T = [1 0; place axes]: section moments of order 3
+    enter where the planes are not parallel. Source: Al-Daccak 1989, eqs. (5.3)–(5.13), there for parallel planes.
     """
-    transforms = np.zeros((len(weights), 4, 3))
+    m = section
+    transforms = np.zeros((len(places), 4, 3))
     transforms[:, 0, 0] = 1.0
-    transforms[:, 1:, 0] = shifts
-    transforms[:, 1:3, 1:] = linear
-    return np.einsum("n,nij,jk,nlk->il", weights, transforms, section, transforms)
+    transforms[:, 1:, 0] = places
+    transforms[:, 1:, 1:] = axes
+    weighted = np.tensordot(elements, np.stack([_products(m, 0, 0), _products(m, 1, 0), _products(m, 0, 1)]), axes=1)
+    return transforms @ weighted @ np.swapaxes(transforms, 1, 2)
+
+
+def _products(m: Array, a: int, b: int) -> Array:
+    """∫ x^a y^b h hᵀ dA (3, 3) with h = (1, x, y)."""
+    powers = ((0, 0), (1, 0), (0, 1))
+    return np.array([[m[a + i + k, b + j + n] for k, n in powers] for i, j in powers])
+
+
+def extrusion_sweep(
+    section: Array, centre: complex, scales: Array, turn: complex, twist: float, skew: complex, half: float
+) -> Array:
+    """Moment matrix (4, 4) of a plane section twisted, scaled and skewed evenly, about the axis at mid-height.
+
+    section   (4, 4)  m[a, b] = ∫ x^a y^b dA about a point of its own
+    centre    that point, x + iy from the axis
+    scales    (2, 2)  (s_x, s_y) at mid-height, and what they grow by from there to the end
+    turn      e^{iφ} of the angle φ at mid-height
+    twist     angle from mid-height to the end, radians
+    skew      offset (x + iy) from mid-height, where there is none, to the end
+    half      half the height
+
+    With s from −1 to 1 a section point goes to turn e^{i twist s} (s_x x + i s_y y) + skew s at height half s, so that
+    every entry of the matrix is a sum of polynomials in s times 1, e^{i twist s} or e^{2i twist s}: closed form.
+    Source: Al-Daccak 1989, eqs. (5.17), (5.19)–(5.20), here all together.
+    """
+    m, x, y = section, centre.real, centre.imag
+    along, across = scales.T
+    area, mx, my = m[0, 0], m[1, 0] + m[0, 0] * x, m[0, 1] + m[0, 0] * y
+    xx = m[2, 0] + x * (m[1, 0] + mx)
+    yy = m[0, 2] + y * (m[0, 1] + my)
+    xy = m[1, 1] + x * m[0, 1] + y * mx
+    element = half * np.convolve(along, across)
+    first = np.convolve(element, mx * along + 1j * my * across)
+    norms = xx * np.convolve(along, along), yy * np.convolve(across, across)
+    square = np.convolve(element, norms[0] - norms[1] + 2j * xy * np.convolve(along, across))
+    zeroth, once, twice = (_harmonic_integrals(j * twist) for j in range(3))
+
+    def integral(polynomial: Array, harmonics: Array, power: int = 0) -> complex:
+        return complex(polynomial @ harmonics[power : power + len(polynomial)])
+
+    volume = area * integral(element, zeroth).real
+    level, levels = (area * integral(element, zeroth, power).real for power in (1, 2))
+    turned, climbed = turn * integral(first, once), turn * integral(first, once, 1)
+    mean = integral(np.convolve(element, norms[0] + norms[1]), zeroth).real
+    mean += 2.0 * (np.conj(skew) * climbed).real + abs(skew) ** 2 * levels
+    double = turn**2 * integral(square, twice) + 2.0 * skew * climbed + skew**2 * levels
+    transverse = turned + skew * level
+    mixed = half * (climbed + skew * levels)
+    second = [
+        [(mean + double.real) / 2.0, double.imag / 2.0, mixed.real],
+        [double.imag / 2.0, (mean - double.real) / 2.0, mixed.imag],
+        [mixed.real, mixed.imag, half**2 * levels],
+    ]
+    return moment_matrix(volume, [transverse.real, transverse.imag, half * level], second)
+
+
+_ORDERS = 5  # powers of s that occur: the element's 2 and 2 of coordinates
+_SERIES = 3.0  # below this angle the power series, above it the recurrence keeps every digit
+
+
+def _harmonic_integrals(angle: float) -> Array:
+    """∫ s^k e^{i angle s} ds (5,) from −1 to 1, for k from 0 to 4."""
+    if abs(angle) < _SERIES:
+        return _INVERSE_POWERS @ (1j * angle) ** np.arange(_TERMS)
+    ends = np.exp(1j * angle), np.exp(-1j * angle)
+    found = np.empty(_ORDERS, complex)
+    found[0] = 2.0 * np.sin(angle) / angle
+    for k in range(1, _ORDERS):
+        found[k] = (ends[0] - (-1) ** k * ends[1] - k * found[k - 1]) / (1j * angle)
+    return found
+
+
+_TERMS = 30  # 3^30 / 30! is 1e-18
+_INVERSE_POWERS = np.array(
+    [[2.0 / (factorial(n) * (k + n + 1)) if (k + n) % 2 == 0 else 0.0 for n in range(_TERMS)] for k in range(_ORDERS)]
+)
+"""2/(n! (k + n + 1)) where k + n is even: the coefficients of (i angle)^n."""
 
 
 def revolution_sweep(section: Array, start: float, stop: float) -> Array:

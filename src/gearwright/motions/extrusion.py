@@ -7,7 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from .parallel import ParallelMotion
+from ..moments.body import BodyMoments, about_centroid
+from ..moments.sweep import extrusion_sweep
+from ..sections.plane import Section
+from ..sections.section import LoopedSection
+from .ends import Ends
+from .parallel import ParallelMotion, in_space
+
+_FAR = 100.0  # distance from the axis, in radii of gyration, squared: two digits lost
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,6 +57,30 @@ class Extrusion(ParallelMotion):
 
     def offset_rate(self, v: ArrayLike) -> Array:
         return np.broadcast_to(np.array(self.skew) / self.length, (*np.shape(v), 2)).copy()
+
+    def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
+        """In closed form; by quadrature for a section so far from its axis that the closed form loses digits."""
+        constants = ends.constants
+        if constants is None or not isinstance(section, Section):
+            return None
+        local = section.local_moments
+        reach = float(local.origin @ local.origin) * local.area / float(local.values[2, 0] + local.values[0, 2])
+        if reach > _FAR:
+            return super().moments(section, ends)
+        half, middle = (constants[1] - constants[0]) / 2.0, (constants[0] + constants[1]) / 2.0
+        grown, share = self._scales(np.array(middle / self.length)), half / self.length
+        matrix = extrusion_sweep(
+            local.values,
+            complex(*local.origin),
+            np.array([grown, (np.array(self.scale) - 1.0) * share]),
+            complex(np.exp(1j * self.twist * middle / self.length)),
+            self.twist * share,
+            complex(*self.skew) * share,
+            half,
+        )
+        origin = in_space(self.offset(middle), middle)
+        rounding = (1.0 + reach) * float(np.finfo(float).eps)
+        return about_centroid(matrix, "exact", section.moments_error + rounding, origin)
 
     @property
     def rotation_order(self) -> int:

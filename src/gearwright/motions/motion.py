@@ -63,6 +63,25 @@ class Motion(ABC):
         del ends
         return ()
 
+    def panels(self, start: float, finish: float) -> tuple[float, ...]:
+        """Parameters between two at which the motion is smooth but not analytic: where quadratures start anew."""
+        del start, finish
+        return ()
+
+    def station(self, v: float) -> str:
+        """What a parameter is called where a person reads it."""
+        return f"parameter {v:.6g}"
+
+    def remedy(self, point: Array, v: float) -> str:
+        """What would keep the volume element positive at a section point (d,) and a parameter."""
+        del point, v
+        return "the section moves backwards there"
+
+    @property
+    def has_still_points(self) -> bool:
+        """Whether a section may touch places that do not move, such as an axis, where the volume element vanishes."""
+        return False
+
     @property
     def rotation_order(self) -> int:
         return 0

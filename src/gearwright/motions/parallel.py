@@ -8,16 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from ..moments.body import BodyMoments, about_centroid
-from ..moments.boundary_integral import moment_matrix_2d
-from ..moments.quadrature import converged, gauss_legendre
-from ..moments.sweep import parallel_sweep
+from ..moments.body import BodyMoments
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
 from .ends import ConstantEnd, End, Ends
 from .motion import Motion
+from .plane_quadrature import quadrature_moments
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,14 +42,14 @@ class ParallelMotion(Motion):
         """dh/dv (..., 2)."""
 
     def place(self, point: Array, v: ArrayLike) -> Array:
-        return in_space(_mapped(self.linear(v), point) + self.offset(v), v)
+        return in_space(applied(self.linear(v), point) + self.offset(v), v)
 
     def carry(self, point: Array, tangent: Array, v: ArrayLike) -> Array:
         del point
-        return in_space(_mapped(self.linear(v), tangent), np.zeros(np.shape(v)))
+        return in_space(applied(self.linear(v), tangent), np.zeros(np.shape(v)))
 
     def velocity(self, point: Array, v: ArrayLike) -> Array:
-        return in_space(_mapped(self.linear_rate(v), point) + self.offset_rate(v), np.ones(np.shape(v)))
+        return in_space(applied(self.linear_rate(v), point) + self.offset_rate(v), np.ones(np.shape(v)))
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.linalg.det(self.linear(v)) + np.zeros(point.shape[:-1])
@@ -60,26 +58,17 @@ class ParallelMotion(Motion):
         return level_plane(end)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        """By quadrature of (S1), nodes increased until it settles; about the middle of the section's way."""
         constants = ends.constants
         if constants is None or not isinstance(section, Section):
             return None
-        start, finish = constants
-        local = section.local_moments
-        middle = (start + finish) / 2.0
-        origin = self.place(local.origin, middle)
-        size = float(np.cbrt(local.area * (finish - start)))
-        unit = np.outer([1.0, size, size, size], [1.0, size, size, size]) * size**3
+        return quadrature_moments(self, section, *constants)
 
-        def scaled(nodes: int) -> Array:
-            x, w = gauss_legendre(nodes)
-            v = middle + (finish - start) / 2.0 * x
-            weights = w * (finish - start) / 2.0 * np.linalg.det(self.linear(v))
-            shifts = self.place(np.broadcast_to(local.origin, (nodes, 2)), v) - origin
-            return parallel_sweep(moment_matrix_2d(local.values), self.linear(v), shifts, weights) / unit
+    def station(self, v: float) -> str:
+        return f"height {v:.6g}"
 
-        matrix, error = converged(scaled)
-        return about_centroid(matrix * unit, "exact", error + section.moments_error, origin)
+    def remedy(self, point: Array, v: float) -> str:
+        element = float(self.jacobian(point, v))
+        return f"the map's determinant f₁g₂ − f₂g₁ is {element:.4g} there; it must stay greater than 0"
 
 
 def level_plane(end: End) -> Plane:
@@ -96,6 +85,6 @@ def in_space(vectors: Array, z: ArrayLike) -> Array:
     return np.concatenate([plane, np.broadcast_to(z, shape)[..., None]], axis=-1)
 
 
-def _mapped(linear: Array, vectors: Array) -> Array:
-    """A p (..., 2) of matrices (..., 2, 2) and vectors (..., 2)."""
-    return (linear @ vectors[..., None])[..., 0]
+def applied(matrices: Array, vectors: Array) -> Array:
+    """Products (..., m) of matrices (..., m, n) and vectors (..., n)."""
+    return (matrices @ vectors[..., None])[..., 0]

@@ -71,6 +71,17 @@ class Revolution(Motion):
             return f"a revolution of {np.degrees(constants[1] - constants[0]):.6g}° would run into itself; 360° is all"
         return super().refusal(ends)
 
+    def station(self, v: float) -> str:
+        return f"azimuth {np.degrees(-v):.6g}°"
+
+    def remedy(self, point: Array, v: float) -> str:
+        del v
+        return f"it lies {abs(float(point[0])):.6g} beyond the axis x = 0; keep the section on the side of positive x"
+
+    @property
+    def has_still_points(self) -> bool:
+        return True
+
     @property
     def rotation_order(self) -> int:
         return 1

@@ -114,6 +114,16 @@ class Section(LoopedSection):
         middle = np.zeros(2) if self.order > 1 else (points.min(axis=0) + points.max(axis=0)) / 2.0
         return middle, float(np.max(np.abs(points - middle))) or 1.0
 
+    @property
+    def middle(self) -> Array:
+        """A point (2,) in the middle of the section."""
+        return self._frame[0]
+
+    @property
+    def size(self) -> float:
+        """How far, about, the section reaches from there along x or y."""
+        return self._frame[1]
+
     def _own(self, loop: Loop) -> Loop:
         """A loop as periods about the origin, or, where the section has no symmetry, as a whole."""
         return loop if self.order > 1 else loop.with_copies(1)

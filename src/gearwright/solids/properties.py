@@ -36,6 +36,7 @@ class MassProperties:
                     more than all the rest
     method          how they were found: "exact", "quadrature" or "polyhedron"
     error_bound     bound on the relative error of V and, norm-wise, of the central second moment
+    evaluations     how often a quadrature along a motion evaluated it; 0 where none was needed
 
     Everything derived is mass-weighted, except the radii of gyration. Tensors named `central_` are
     about the centroid, the others about the origin; axes are always those of the frame. In `inertia`
@@ -51,6 +52,7 @@ class MassProperties:
     find_extent: Callable[[], Extent] = field(default=Extent, repr=False)
     method: Method = "exact"
     error_bound: float = 0.0
+    evaluations: int = 0
 
     def __post_init__(self) -> None:
         second = _fixed(self.central_second, (3, 3))
@@ -77,6 +79,7 @@ class MassProperties:
             find_extent=find_extent,
             method=moments.method,
             error_bound=moments.error_bound,
+            evaluations=moments.evaluations,
         )
 
     @cached_property
@@ -206,6 +209,7 @@ class MassProperties:
             find_extent=find_extent,
             method=max(self.method, other.method, key=_METHODS.index),
             error_bound=_combined_error(self, other, volume, second),
+            evaluations=self.evaluations + other.evaluations,
         )
 
     def validity(self) -> tuple[Problem, ...]:
@@ -235,7 +239,7 @@ class MassProperties:
         """Everything by name as plain numbers and lists, for JSON; `products` named xy, yz, zx."""
         names = (
             "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
-            " principal_axes radii_of_gyration moments area bounding_box method error_bound"
+            " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
         )
         values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
         values["products"] = dict(zip(("xy", "yz", "zx"), self.products.tolist(), strict=True))

@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from numbers import Real
 
 import numpy as np
 
+from ..arrays import Array, ArrayLike
+from ..curves.frames import FRAMES
+from ..curves.path import Path, path_of, path_through
 from ..errors import ParameterError, Problem
+from ..motions.along import Along
 from ..motions.ends import between
 from ..motions.extrusion import Extrusion
 from ..motions.motion import Motion
+from ..motions.plane_quadrature import TOLERANCE
 from ..motions.revolution import Revolution
 from ..motions.straight import Straight
+from ..motions.transform import transform_of
+from ..motions.transforming import Transforming
 from ..sections.plane import Section
 from .swept import Swept
+
+_LEAST_TOLERANCE, _MOST_TOLERANCE = 1e-14, 1e-3
+_SHARE = 10.0  # the transform is known so much better than the moments are asked for
 
 
 def extrude(
@@ -45,12 +56,70 @@ def extrude(
     ]
     if problems:
         raise ParameterError("extrude", problems)
+    section.require_simple()
     motion: Motion = Straight()
     if twist or tuple(scale) != (1.0, 1.0) or tuple(skew) != (0.0, 0.0):
         across = (float(skew[0]), float(skew[1]))
         factors = (float(scale[0]), float(scale[1]))
         motion = Extrusion(length=float(length), twist=math.radians(twist), scale=factors, skew=across)
     return Swept(section=section, motion=motion, ends=between(0.0, float(length)))
+
+
+def sweep(
+    section: Section, transform: Callable[[float], ArrayLike], length: float, tolerance: float = TOLERANCE
+) -> Swept:
+    """The solid of a section moved along z from 0 to a length while its plane is mapped by any smooth transform.
+
+    transform   ξ → [[f₁, g₁, h₁], [f₂, g₂, h₂], [0, 0, 1]], for one ξ between 0 and the length at a time
+    tolerance   of the transform's values and of the quadrature of the moments, relative; what was reached is the
+                `error_bound` of the solid's properties, their `evaluations` the stations of the quadrature
+
+    A point (x, y) goes to (f₁x + g₁y + h₁, f₂x + g₂y + h₂) at height ξ: (S1). f₁g₂ − f₂g₁ must stay greater than 0.
+    Raises ParameterError; GeometryError where the transform is not smooth or turns the section inside out.
+    Source: Al-Daccak 1989, eqs. (5.3)–(5.13).
+    """
+    problems = [
+        *_unless(_finite(length) and length > 0, f"length = {length}", "a length greater than 0 is needed"),
+        *_unless(callable(transform), f"transform = {transform!r}", "a function of ξ is needed"),
+        *_unless(
+            _finite(tolerance) and _LEAST_TOLERANCE <= tolerance <= _MOST_TOLERANCE,
+            f"tolerance = {tolerance}",
+            f"between {_LEAST_TOLERANCE:g} and {_MOST_TOLERANCE:g} is possible",
+        ),
+    ]
+    if problems:
+        raise ParameterError("sweep", problems)
+    section.require_simple()
+    found = transform_of(transform, float(length), tolerance / _SHARE)
+    return Swept(
+        section=section, motion=Transforming(transform=found, tolerance=tolerance), ends=between(0.0, float(length))
+    )
+
+
+def sweep_along(
+    section: Section,
+    path: Path | ArrayLike | Callable[[Array], ArrayLike],
+    frame: str = "rotation-minimising",
+    transform: Callable[[float], ArrayLike] | None = None,
+) -> Swept:
+    """The solid of a section moved along a path in space, its plane across it and its origin on it.
+
+    path        points (n, 3) of a cubic spline, or a function u → point for u from 0 to 1, or a `helix`; closed
+                where its ends meet
+    frame       "rotation-minimising", "frenet" (section x towards the centre of curvature) or "fixed-up" (section y
+                as near as possible to +z); at the start section y is as near as possible to +z, else to +x
+    transform   as for `sweep`, of the fraction of the path's length from 0 to 1, inside the section's plane
+
+    Raises ParameterError; GeometryError where the path is not smooth, the frame not defined, or where the section
+    reaches beyond the path's centre of curvature, with the radius of curvature that would do.
+    """
+    problems = _unless(frame in FRAMES, f"frame = {frame!r}", f"choose one of {', '.join(FRAMES)}")
+    if problems:
+        raise ParameterError("sweep_along", problems)
+    section.require_simple()
+    found = path if isinstance(path, Path) else path_of(path) if callable(path) else path_through(path)
+    mapping = None if transform is None else transform_of(transform, 1.0, TOLERANCE / _SHARE)
+    return Swept(section=section, motion=Along(frame=FRAMES[frame](found), transform=mapping), ends=between(0.0, 1.0))
 
 
 def revolve(section: Section, angle: float = 360.0) -> Swept:
@@ -65,6 +134,7 @@ def revolve(section: Section, angle: float = 360.0) -> Swept:
     )
     if problems:
         raise ParameterError("revolve", problems)
+    section.require_simple()
     whole = 2.0 * np.pi if angle == 360.0 else math.radians(angle)
     return Swept(section=section, motion=Revolution(), ends=between(-float(whole), 0.0))
 

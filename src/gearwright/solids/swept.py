@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from ..boundary.boundary import Boundary
 from ..boundary.swept import swept_boundary
 from ..errors import GeometryError, Problem
@@ -14,9 +12,8 @@ from ..moments.body import BodyMoments
 from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..sections.section import LoopedSection
+from .inversions import inversions
 from .solid import Solid, flux_moments
-
-_SAMPLES = 8  # points a curve
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,26 +29,9 @@ class Swept(Solid):
 
     def __post_init__(self) -> None:
         refusal = self.motion.refusal(self.ends)
-        problems = [Problem("the ends", refusal)] if refusal else self._inversions()
+        problems = [Problem("the ends", refusal)] if refusal else inversions(self.section, self.motion, self.ends)
         if problems:
             raise GeometryError("The section cannot be swept so", problems)
-
-    def _inversions(self) -> list[Problem]:
-        """Where the volume element is negative, at points all along the section and three stations of the motion."""
-        points = np.concatenate([loop.quadrature(_SAMPLES)[0] for loop in self.section.loops])
-        problems = []
-        for fraction in (0.0, 0.5, 1.0):
-            stations = self.ends.value(points, np.full(len(points), fraction))
-            elements = self.motion.jacobian(points, stations)
-            worst = int(np.argmin(elements))
-            if elements[worst] < 0.0:
-                problems.append(
-                    Problem(
-                        f"section point {np.round(points[worst], 6).tolist()} at parameter {stations[worst]:.6g}",
-                        "moves backwards there; keep the section on one side of the axis, or bend the path less",
-                    )
-                )
-        return problems
 
     @cached_property
     def boundary(self) -> Boundary:

@@ -1,0 +1,48 @@
+"""Moments of a plane section moved in any way, by quadrature of its own moments along the motion."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..arrays import Array
+from ..moments.body import BodyMoments, about_centroid
+from ..moments.quadrature import adaptive
+from ..moments.sweep import plane_sweep
+from ..sections.plane import Section
+from .motion import Motion
+
+TOLERANCE = 1e-13
+"""Default for the quadrature, relative to the volume times the body's extent."""
+_LOOK = 33  # stations by which the extent is measured
+
+
+def quadrature_moments(
+    motion: Motion, section: Section, start: float, finish: float, tolerance: float = TOLERANCE
+) -> BodyMoments:
+    """Moments of the section moved from start to finish, where the volume element is linear in the section point.
+
+    Adaptive Gauss–Legendre quadrature of (S1), in its form for planes that are not parallel.
+    """
+    local = section.local_moments
+    size = section.size
+    # three points that tell the linear volume element
+    corners = local.origin + np.array([[0.0, 0.0], [size, 0.0], [0.0, size]])
+    look = np.linspace(start, finish, _LOOK)
+    path = motion.place(np.broadcast_to(local.origin, (_LOOK, 2)), look)
+    origin = (path.min(axis=0) + path.max(axis=0)) / 2.0
+    extent = float(np.max(np.abs(path - origin))) + size
+    unit = np.outer([1.0, extent, extent, extent], [1.0, extent, extent, extent])
+
+    def integrand(v: Array) -> Array:
+        point = np.broadcast_to(local.origin, (len(v), 2))
+        axes = [motion.carry(point, np.broadcast_to(axis, (len(v), 2)), v) for axis in np.eye(2)]
+        elements = np.stack([motion.jacobian(np.broadcast_to(corner, (len(v), 2)), v) for corner in corners], axis=1)
+        slopes = np.concatenate([elements[:, :1], (elements[:, 1:] - elements[:, :1]) / size], axis=1)
+        return plane_sweep(local.values, motion.place(point, v) - origin, np.stack(axes, axis=-1), slopes) / unit
+
+    breaks = np.array([start, *motion.panels(start, finish), finish])
+    matrix, error, evaluations = adaptive(integrand, breaks, tolerance)
+    body = about_centroid(matrix * unit, "exact", error + section.moments_error, origin)
+    return replace(body, evaluations=evaluations)
