@@ -16,6 +16,7 @@ from ..moments.faces import corner_lists, face_vectors, fan_triangles, triangle_
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
 from .properties import MassProperties
+from .self_intersections import SelfIntersections, find_self_intersections
 from .validity import PolyhedronValidity, examine
 
 _SUFFIXES = (".stl",)
@@ -89,6 +90,14 @@ class Polyhedron:
     def _validity(self) -> PolyhedronValidity:
         return examine(self.vertices, self.indices, self.offsets)
 
+    def self_intersections(self) -> SelfIntersections:
+        """Which faces pass through each other, and which touch. Takes about a second for 100,000 triangles.
+
+        Raises GeometryError if a face cannot be cut into triangles here.
+        """
+        owners = np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets) - 2)
+        return find_self_intersections(self.vertices, self._simple_triangles(), owners)
+
     @cached_property
     def _moments(self) -> PolyhedronMoments:
         return polyhedron_moments(self.vertices, self.indices, self.offsets)
@@ -147,7 +156,7 @@ class Polyhedron:
             if np.all(triangle_vectors(self.vertices, fan) @ normal >= 0.0):
                 return fan
         raise GeometryError(
-            "This polyhedron cannot be written as triangles",
+            "This polyhedron cannot be cut into triangles",
             [Problem(f"face {face} of {len(corners)} corners", "no corner sees all of it; split it into convex faces")],
         )
 

@@ -18,6 +18,7 @@ from ..moments.quadrature import converged
 from .extent import Extent
 from .polyhedron import Polyhedron
 from .properties import MassProperties
+from .self_intersections import SelfIntersections
 
 DEFAULT_TOLERANCE = 1e-4
 """Chord tolerance of a polyhedron, relative to the diagonal of the bounding box."""
@@ -48,6 +49,10 @@ class Solid(ABC):
         if tolerance is None:
             tolerance = DEFAULT_TOLERANCE * rough_diagonal(self.boundary)
         return Polyhedron(*tessellate(self.boundary, sampling(self.boundary, tolerance)))
+
+    def self_intersections(self, tolerance: float | None = None) -> SelfIntersections:
+        """Where its polyhedron of that tolerance passes through itself. Raises GeometryError like `polyhedron`."""
+        return self.polyhedron(tolerance).self_intersections()
 
     def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
         """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""

@@ -1,0 +1,153 @@
+"""Faces of one polyhedron that pass through each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Array, Indices
+from ..errors import GeometryError, Problem
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SelfIntersections:
+    """Which faces of a polyhedron pass through each other, and where. True if any do.
+
+    pairs     (k, 2) faces, the lower number first, whose insides meet: across, or in one plane where both look the
+              same way or are folded onto each other along an edge that no other face has
+    points    (k, 3) a point of each pair's meeting
+    depths    (k,) how far the shallower face of each reaches past the other's plane: 0 in one plane, and next to
+              nothing where faces should only touch but their coordinates are rounded
+    touching  (m, 2) faces that touch without that: by rim, edge or corner, or face to face like bodies in contact
+
+    What faces share by vertex number is no meeting, and faces without area meet nothing. Signs are exact, so that
+    nothing is missed or made up by rounding. Not found: a sheet that passes another exactly along edges of its own;
+    its faces only touch.
+    """
+
+    pairs: Indices
+    points: Array
+    depths: Array
+    touching: Indices
+
+    def __bool__(self) -> bool:
+        return self.count > 0
+
+    @property
+    def count(self) -> int:
+        """Number of pairs that pass through each other."""
+        return len(self.pairs)
+
+    @property
+    def problem(self) -> Problem | None:
+        """That faces pass through each other, in words: how many, and the first place."""
+        if not self:
+            return None
+        x, y, z = self.points[0]
+        where = f"faces {self.pairs[0, 0]} and {self.pairs[0, 1]} near ({x:.6g}, {y:.6g}, {z:.6g})"
+        return Problem(
+            f"{_counted(self.count)}: {where}, pass through each other, up to {self.depths.max():.2g} deep",
+            "what lies on the wrong side of both counts twice, or negative; usual causes are bodies that overlap, which"
+            " must be united first, and a sweep that bends more tightly than its section allows",
+        )
+
+    @property
+    def remark(self) -> Problem | None:
+        """That faces touch, in words."""
+        if not len(self.touching):
+            return None
+        first, second = self.touching[0]
+        return Problem(
+            f"{_counted(len(self.touching))}: faces {first} and {second}, touch without sharing vertices there",
+            "bodies in contact, or edges that end on others' faces; it leaves the properties right",
+        )
+
+    def raise_any(self) -> None:
+        """Raises GeometryError if faces pass through each other."""
+        if self.problem is not None:
+            raise GeometryError("This polyhedron passes through itself", [self.problem])
+
+    def to_dict(self) -> dict[str, Any]:
+        """Counts, places and text by name, for JSON."""
+        return {
+            "count": self.count,
+            "pairs": self.pairs,
+            "points": self.points,
+            "depths": self.depths,
+            "touching": self.touching,
+            "problem": None if self.problem is None else str(self.problem),
+            "remark": None if self.remark is None else str(self.remark),
+        }
+
+    def __str__(self) -> str:
+        lines = [f"problem: {self.problem}"] if self.problem else []
+        lines += [f"remark: {self.remark}"] if self.remark else []
+        return "\n".join(lines) or "no face passes through another"
+
+
+def _counted(count: int) -> str:
+    return "1 pair" if count == 1 else f"{count} pairs of faces, the first"
+
+
+def find_self_intersections(vertices: Array, triangles: Indices, owners: Indices) -> SelfIntersections:
+    """Of the triangles (t, 3) of faces; `owners` (t,) are the faces' numbers. Triangles of one face do not count."""
+    from .triangle_meeting import depths, meeting_points
+    from .triangle_pairs import CROSSING, DOUBLED, FACING, TOUCHING
+
+    _, exponent = np.frexp(np.max(np.abs(vertices), initial=0.0))
+    points = np.ascontiguousarray(np.ldexp(vertices, -exponent))  # exact, and no product overflows
+    triangles = np.ascontiguousarray(triangles)
+    pairs, kinds = _related(points, triangles, owners)
+    folded = np.zeros(len(pairs), bool)
+    facing = kinds == FACING
+    folded[facing] = _folded(triangles, pairs[facing])
+    through = _by_faces(owners, pairs[(kinds == CROSSING) | (kinds == DOUBLED) | folded])
+    touching = _by_faces(owners, pairs[(kinds == TOUCHING) | (facing & ~folded)])
+    return SelfIntersections(
+        pairs=owners[through],
+        points=np.ldexp(meeting_points(points, triangles, through), exponent),
+        depths=np.ldexp(depths(points, triangles, through), exponent),
+        touching=_without(owners[touching], owners[through]),
+    )
+
+
+def _related(points: Array, triangles: Indices, owners: Indices) -> tuple[Indices, Indices]:
+    """Pairs (k, 2) of triangles of different faces that meet, and how (k,)."""
+    from .box_tree import overlapping_pairs
+    from .triangle_pairs import APART, projections, relations
+
+    corners = points[triangles]
+    axes = projections(points, triangles)
+    found = [(np.empty((0, 2), np.int64), np.empty(0, np.int64))]
+    for pairs in overlapping_pairs(np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)):
+        pairs = pairs[owners[pairs[:, 0]] != owners[pairs[:, 1]]]
+        kinds = relations(points, triangles, axes, pairs)
+        found.append((pairs[kinds != APART], kinds[kinds != APART]))
+    return np.concatenate([pairs for pairs, _ in found]), np.concatenate([kinds for _, kinds in found])
+
+
+def _folded(triangles: Indices, pairs: Indices) -> Array:
+    """Which pairs (k,) of triangles share an edge that no other triangle has: a fold, and no contact of bodies."""
+    if not len(pairs):
+        return np.zeros(0, bool)
+    ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1), axis=-1)
+    keys = ends[..., 0] * (int(triangles.max()) + 1) + ends[..., 1]
+    edges, uses = np.unique(keys, return_counts=True)
+    first, second = keys[pairs[:, 0]][:, :, None], keys[pairs[:, 1]][:, None, :]
+    only = uses[np.searchsorted(edges, keys[pairs[:, 0]])] == 2
+    return np.asarray(np.any((first == second).any(axis=2) & only, axis=1))
+
+
+def _by_faces(owners: Indices, pairs: Indices) -> Indices:
+    """Pairs (k, 2) of triangles in the order of their faces, one for every two faces."""
+    pairs = np.where((owners[pairs[:, 0]] < owners[pairs[:, 1]])[:, None], pairs, pairs[:, ::-1])
+    _, first = np.unique(owners[pairs], axis=0, return_index=True)
+    return pairs[first]
+
+
+def _without(pairs: Indices, others: Indices) -> Indices:
+    """Pairs (k, 2) that are not among others."""
+    known = set(map(tuple, others.tolist()))
+    return pairs[np.array([tuple(pair) not in known for pair in pairs.tolist()], bool)]
