@@ -15,16 +15,16 @@ from ..errors import GeometryError, Problem
 class SelfIntersections:
     """Which faces of a polyhedron pass through each other, and where. True if any do.
 
-    pairs     (k, 2) faces, the lower number first, whose insides meet: across, or in one plane where both look the
-              same way or are folded onto each other along an edge that no other face has
+    pairs     (k, 2) faces, the lower number first, that pass through each other: their insides meet across; or in one
+              plane, where both look the same way or are folded onto each other along an edge that no other face has;
+              or an edge of one lies inside the other, and faces at that edge are on both sides of it
     points    (k, 3) a point of each pair's meeting
-    depths    (k,) how far the shallower face of each reaches past the other's plane: 0 in one plane, and next to
-              nothing where faces should only touch but their coordinates are rounded
-    touching  (m, 2) faces that touch without that: by rim, edge or corner, or face to face like bodies in contact
+    depths    (k,) how far the shallower face of each reaches past the other's plane: 0 for meetings in a plane or
+              along an edge, and next to nothing where faces should only touch but their coordinates are rounded
+    touching  (m, 2) faces that touch without that: by side or corner, or face to face as bodies in contact do
 
-    What faces share by vertex number is no meeting, and faces without area meet nothing. Signs are exact, so that
-    nothing is missed or made up by rounding. Not found: a sheet that passes another exactly along edges of its own;
-    its faces only touch.
+    What faces share by vertex number is no meeting, and faces without area meet nothing. All signs are exact: rounding
+    neither hides nor makes up anything. Sheets that pass each other exactly along edges of both only touch.
     """
 
     pairs: Indices
@@ -73,10 +73,10 @@ class SelfIntersections:
         """Counts, places and text by name, for JSON."""
         return {
             "count": self.count,
-            "pairs": self.pairs,
-            "points": self.points,
-            "depths": self.depths,
-            "touching": self.touching,
+            "pairs": self.pairs.tolist(),
+            "points": self.points.tolist(),
+            "depths": self.depths.tolist(),
+            "touching": self.touching.tolist(),
             "problem": None if self.problem is None else str(self.problem),
             "remark": None if self.remark is None else str(self.remark),
         }
@@ -94,17 +94,16 @@ def _counted(count: int) -> str:
 def find_self_intersections(vertices: Array, triangles: Indices, owners: Indices) -> SelfIntersections:
     """Of the triangles (t, 3) of faces; `owners` (t,) are the faces' numbers. Triangles of one face do not count."""
     from .triangle_meeting import depths, meeting_points
-    from .triangle_pairs import CROSSING, DOUBLED, FACING, TOUCHING
+    from .triangle_pairs import CROSSING, DOUBLED, EDGE_WITHIN, FACING
 
     _, exponent = np.frexp(np.max(np.abs(vertices), initial=0.0))
     points = np.ascontiguousarray(np.ldexp(vertices, -exponent))  # exact, and no product overflows
     triangles = np.ascontiguousarray(triangles)
     pairs, kinds = _related(points, triangles, owners)
-    folded = np.zeros(len(pairs), bool)
-    facing = kinds == FACING
-    folded[facing] = _folded(triangles, pairs[facing])
-    through = _by_faces(owners, pairs[(kinds == CROSSING) | (kinds == DOUBLED) | folded])
-    touching = _by_faces(owners, pairs[(kinds == TOUCHING) | (facing & ~folded)])
+    passing = (kinds == CROSSING) | (kinds == DOUBLED)
+    passing[kinds == FACING] = _folded(triangles, pairs[kinds == FACING])
+    passing[kinds == EDGE_WITHIN] = _passing_along_edges(points, triangles, pairs[kinds == EDGE_WITHIN])
+    through, touching = _by_faces(owners, pairs[passing]), _by_faces(owners, pairs[~passing])
     return SelfIntersections(
         pairs=owners[through],
         points=np.ldexp(meeting_points(points, triangles, through), exponent),
@@ -138,6 +137,17 @@ def _folded(triangles: Indices, pairs: Indices) -> Array:
     first, second = keys[pairs[:, 0]][:, :, None], keys[pairs[:, 1]][:, None, :]
     only = uses[np.searchsorted(edges, keys[pairs[:, 0]])] == 2
     return np.asarray(np.any((first == second).any(axis=2) & only, axis=1))
+
+
+def _passing_along_edges(points: Array, triangles: Indices, pairs: Indices) -> Array:
+    """Which pairs (k,), one with an edge inside the other, have a third triangle at that edge beyond the other."""
+    from .triangle_pairs import edges_within
+
+    places = edges_within(points, triangles, pairs)
+    _, groups = np.unique(places[:, :3], axis=0, return_inverse=True)
+    groups = groups.reshape(-1)
+    above, below = np.bincount(groups, places[:, 3] > 0), np.bincount(groups, places[:, 3] < 0)
+    return np.asarray((above[groups] > 0) & (below[groups] > 0))
 
 
 def _by_faces(owners: Indices, pairs: Indices) -> Indices:

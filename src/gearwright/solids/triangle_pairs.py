@@ -16,9 +16,9 @@ from numba import njit
 from ..arrays import Array, Indices
 from .orientations import certain_side, certain_turn, side, turn
 
-APART, CROSSING, TOUCHING, DOUBLED, FACING = range(5)
-"""Meet nowhere but in what they share; interiors meet across; meet only at their rims; overlap in one plane, looking
-the same way or towards each other."""
+APART, CROSSING, TOUCHING, EDGE_WITHIN, DOUBLED, FACING = range(6)
+"""Meet nowhere but in what they share; interiors meet across; touch, at most one of them inside; touch along a side of
+one that lies inside the other; overlap in one plane, looking the same way or towards each other."""
 
 _FLAT = -1
 Corners = tuple[int, int, int]
@@ -74,6 +74,22 @@ def _relation(points: Array, first: Corners, second: Corners, axis: int) -> int:
     if _all_on_one_side(first, second, of_first) or _all_on_one_side(second, first, of_second):
         return APART
     return _relation_across(points, first, second, of_first, of_second)
+
+
+@njit(cache=True, nogil=True)
+def edges_within(points: Array, triangles: Indices, pairs: Indices) -> Indices:
+    """Of pairs (k, 2) that are EDGE_WITHIN (k, 4): the side's ends, the triangle it lies in, and on which side (1 or
+    −1) of that one the other's third corner is."""
+    found = np.empty((len(pairs), 4), np.int64)
+    for n in range(len(pairs)):
+        for one, other in ((pairs[n, 0], pairs[n, 1]), (pairs[n, 1], pairs[n, 0])):
+            i, j, k = triangles[other]
+            for m in range(3):
+                a, b, c = triangles[one, m], triangles[one, (m + 1) % 3], triangles[one, (m + 2) % 3]
+                if side(points, i, j, k, a) == 0 and side(points, i, j, k, b) == 0:
+                    found[n, 0], found[n, 1] = min(a, b), max(a, b)
+                    found[n, 2], found[n, 3] = other, side(points, i, j, k, c)
+    return found
 
 
 @njit(cache=True, nogil=True)
@@ -154,10 +170,11 @@ def _relation_across(points: Array, first: Corners, second: Corners, of_first: S
     long = one_end < 0 and other_end < 0  # they share more than a point, if each cuts the line in more than one
     if long and _straddles(of_first) and _straddles(of_second):
         return CROSSING
+    long = long and of_first[lone1] != 0 and of_second[lone2] != 0
+    if long and (_straddles(of_first) or _straddles(of_second)):
+        return EDGE_WITHIN
     shared = _shared(first, second)
-    if shared == 0 or (shared == 1 and long and of_first[lone1] != 0 and of_second[lone2] != 0):
-        return TOUCHING
-    return APART
+    return TOUCHING if shared == 0 or (shared == 1 and long) else APART
 
 
 @njit(cache=True, nogil=True)
