@@ -24,7 +24,7 @@ def meetings(vertices, triangles):
 
 
 def intersection(first, second):
-    """Corners of what two closed triangles have in common: the first one clipped by the plane and sides of the second."""
+    """Corners of what two closed triangles have in common: the first clipped by plane and sides of the second."""
     up = normal(second)
     polygon = clipped(clipped(first, second[0], up), second[0], minus((0, 0, 0), up))
     for k in range(3):
@@ -64,9 +64,34 @@ def spanned(point, corners):
     return False
 
 
-def facing(first, second):
-    """Whether two triangles of one plane look towards opposite sides."""
-    return dot(normal(first), normal(second)) < 0
+def passings(vertices, triangles):
+    """Pairs that pass through each other, and pairs that only touch: of `meetings`, those that look at each other from
+    both sides of one plane touch, unless folded at an edge of their own; and an edge with triangles on both sides of
+    another that it lies in passes through it."""
+    points = [tuple(Fraction(float(x)) for x in vertex) for vertex in vertices]
+    corners = [[points[i] for i in triangle] for triangle in triangles]
+    sides = [[frozenset((triangle[k], triangle[(k + 1) % 3])) for k in range(3)] for triangle in triangles]
+    through, touching = meetings(vertices, triangles)
+    for s, t in list(through):
+        in_plane = all(dot(minus(p, corners[t][0]), normal(corners[t])) == 0 for p in corners[s])
+        common = set(sides[s]) & set(sides[t])
+        folded = any(sum(edge in of for of in sides) == 2 for edge in common)
+        if in_plane and dot(normal(corners[s]), normal(corners[t])) < 0 and not folded:
+            through.remove((s, t))
+            touching.add((s, t))
+    along = {}
+    for s, t in touching:
+        for one, other in ((s, t), (t, s)):
+            heights = [dot(minus(p, corners[other][0]), normal(corners[other])) for p in corners[one]]
+            common = intersection(corners[one], corners[other])
+            middle = tuple(sum(p[k] for p in common) / len(common) for k in range(3))
+            if heights.count(0) == 2 and len(set(common)) > 1 and inside(middle, corners[other]):
+                edge = frozenset(i for i, height in zip(triangles[one], heights, strict=True) if height == 0)
+                along.setdefault((edge, other), set()).add((sum(heights) > 0, (s, t)))
+    for found in along.values():
+        if {above for above, _ in found} == {True, False}:
+            through |= {pair for _, pair in found}
+    return through, touching - through
 
 
 def normal(triangle):

@@ -34,7 +34,9 @@ def build() -> cyclopts.App:
     for name in dict.fromkeys(element.command for element in catalog.ELEMENTS):
         app.command(f"{__package__}.elements:{name}", name=name, help=_help(name))
     app.command(f"{__package__}.properties:properties", name="properties", help="Volumetric properties of STL files.")
-    app.command(f"{__package__}.check:check", name="check", help="Check STL files: closed, outward, not through itself.")
+    app.command(
+        f"{__package__}.check:check", name="check", help="Check STL files: closed, outward, not through itself."
+    )
     app.command(
         f"{__package__}.demo:demo", name="demo", help="Build a bevel pair; compare exact with polyhedral values."
     )

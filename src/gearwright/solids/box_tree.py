@@ -90,10 +90,10 @@ def _pairs(boxes: Array, nodes: Array, start: int, stop: int) -> Indices:
 
 @njit(cache=True, nogil=True)
 def _overlap(ones: Array, i: int, others: Array, j: int) -> bool:
+    apart = False
     for axis in range(3):
-        if ones[i, axis] > others[j, axis + 3] or others[j, axis] > ones[i, axis + 3]:
-            return False
-    return True
+        apart |= ones[i, axis] > others[j, axis + 3] or others[j, axis] > ones[i, axis + 3]
+    return not apart
 
 
 @njit(cache=True, nogil=True)

@@ -4,10 +4,13 @@ Plain arithmetic decides where its error bound allows; where it does not, the de
 rounding. Points are rows of an array and are named by number, so that equal numbers give 0 at no cost.
 Coordinates must not exceed 1 in magnitude by far, else products overflow; below about 1e-90 they underflow.
 
-Source: Shewchuk, Discrete Comput. Geom. 18 (1997): error bounds (§4.3), growing expansions (theorem 10).
+Source: Shewchuk, Discrete Comput. Geom. 18 (1997): error bounds (§4), growing expansions (theorem 10).
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import cast
 
 import numpy as np
 from numba import njit
@@ -21,7 +24,7 @@ _SPLITTER = 2.0**27 + 1.0
 _MOST_TERMS = 6 * 8 * 4
 """Products of a determinant, parts of each product's factors, parts of each product of three."""
 
-_two_sum = njit(cache=True, nogil=True)(compensated.two_sum)
+_two_sum = cast("Callable[[float, float], tuple[float, float]]", njit(cache=True, nogil=True)(compensated.two_sum))
 
 
 @njit(cache=True, nogil=True)

@@ -46,9 +46,10 @@ class SelfIntersections:
         if not self:
             return None
         x, y, z = self.points[0]
-        where = f"faces {self.pairs[0, 0]} and {self.pairs[0, 1]} near ({x:.6g}, {y:.6g}, {z:.6g})"
+        deepest = self.depths.max()
+        deep = f", up to {deepest:.2g} deep" if deepest > 0.0 else ""
         return Problem(
-            f"{_counted(self.count)}: {where}, pass through each other, up to {self.depths.max():.2g} deep",
+            f"{_counted(self.pairs)} near ({x:.6g}, {y:.6g}, {z:.6g}), passing through each other{deep}",
             "what lies on the wrong side of both counts twice, or negative; usual causes are bodies that overlap, which"
             " must be united first, and a sweep that bends more tightly than its section allows",
         )
@@ -58,10 +59,8 @@ class SelfIntersections:
         """That faces touch, in words."""
         if not len(self.touching):
             return None
-        first, second = self.touching[0]
         return Problem(
-            f"{_counted(len(self.touching))}: faces {first} and {second}, touch without sharing vertices there",
-            "bodies in contact, or edges that end on others' faces; it leaves the properties right",
+            f"{_counted(self.touching)}, touching", "bodies in contact, or edges that end on other faces unshared"
         )
 
     def raise_any(self) -> None:
@@ -87,8 +86,9 @@ class SelfIntersections:
         return "\n".join(lines) or "no face passes through another"
 
 
-def _counted(count: int) -> str:
-    return "1 pair" if count == 1 else f"{count} pairs of faces, the first"
+def _counted(pairs: Indices) -> str:
+    first = f"{pairs[0, 0]} and {pairs[0, 1]}"
+    return f"1 pair of faces, {first}" if len(pairs) == 1 else f"{len(pairs)} pairs of faces, the first {first}"
 
 
 def find_self_intersections(vertices: Array, triangles: Indices, owners: Indices) -> SelfIntersections:
@@ -120,8 +120,8 @@ def _related(points: Array, triangles: Indices, owners: Indices) -> tuple[Indice
     corners = points[triangles]
     axes = projections(points, triangles)
     found = [(np.empty((0, 2), np.int64), np.empty(0, np.int64))]
-    for pairs in overlapping_pairs(np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)):
-        pairs = pairs[owners[pairs[:, 0]] != owners[pairs[:, 1]]]
+    for near in overlapping_pairs(np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)):
+        pairs = near[owners[near[:, 0]] != owners[near[:, 1]]]
         kinds = relations(points, triangles, axes, pairs)
         found.append((pairs[kinds != APART], kinds[kinds != APART]))
     return np.concatenate([pairs for pairs, _ in found]), np.concatenate([kinds for _, kinds in found])

@@ -8,6 +8,9 @@ from numba import njit
 from ..arrays import Array, Indices
 from ..moments.faces import triangle_vectors
 
+_LEAST = np.finfo(float).tiny
+"""Stands for areas that underflow: what such triangles reach is nothing, too."""
+
 
 def meeting_points(points: Array, triangles: Indices, pairs: Indices) -> Array:
     """A point (k, 3) amid what the triangles of each pair (k, 2) have in common."""
@@ -20,12 +23,12 @@ def meeting_points(points: Array, triangles: Indices, pairs: Indices) -> Array:
 
 def depths(points: Array, triangles: Indices, pairs: Indices) -> Array:
     """How far (k,) the shallower triangle of each pair (k, 2) reaches to the other side of the other's plane."""
-    vectors = triangle_vectors(points, triangles)
-    normals = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
     reached = np.full(len(pairs), np.inf)
     for one, other in (pairs.T, pairs.T[::-1]):
         offsets = points[triangles[one]] - points[triangles[other][:, :1]]
-        distances = np.einsum("kcx,kx->kc", offsets, normals[other])
+        vectors = triangle_vectors(points, triangles[other])
+        lengths = np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), _LEAST)
+        distances = np.einsum("kcx,kx->kc", offsets, vectors / lengths)
         reached = np.minimum(reached, np.minimum(distances.max(axis=1), -distances.min(axis=1)))
     return np.maximum(reached, 0.0)
 

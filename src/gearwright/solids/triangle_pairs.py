@@ -136,7 +136,7 @@ def _seen_apart(points: Array, triangle: Corners, other: Corners, axis: int) -> 
         i, j = triangle[n], triangle[(n + 1) % 3]
         beyond = 0
         for corner in other:
-            if corner == i or corner == j or certain_turn(points, i, j, corner, axis) == -sense:
+            if corner in (i, j) or certain_turn(points, i, j, corner, axis) == -sense:
                 beyond += 1
         if beyond == 3:
             return True
@@ -207,7 +207,7 @@ def _relation_in_plane(points: Array, first: Corners, second: Corners, axis: int
 
 @njit(cache=True, nogil=True)
 def _gap(points: Array, triangle: Corners, other: Corners, axis: int, sense: int, shared: int) -> int:
-    """2 if all of the other but what is shared lies beyond a side of a triangle, 1 if some lies on it, 0 for neither."""
+    """2 if all of the other but what is shared lies beyond a side of a triangle, 1 if beyond or on it, else 0."""
     widest = 0
     for n in range(3):
         beyond, on = 0, 0

@@ -1,0 +1,99 @@
+import json
+
+import numpy as np
+import pytest
+
+import gearwright
+
+CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+FACES = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+
+
+@pytest.fixture
+def files(tmp_path):
+    """A sound box, one pierced by a bar, one on another, one without its last face, one that is not there."""
+    bar = CORNERS * [0.25, 0.5, 3.0] + [0.25, 0.25, -1.0]
+    above = CORNERS * [0.5, 0.5, 1.0] + [0.25, 0.25, 1.0]
+    both = np.concatenate([FACES, FACES + 8])
+    bodies = {
+        "box": (CORNERS, FACES),
+        "pierced": (np.concatenate([CORNERS, bar]), both),
+        "stacked": (np.concatenate([CORNERS, above]), both),
+        "open": (CORNERS, FACES[:-1]),
+    }
+    paths = {name: tmp_path / f"{name}.stl" for name in (*bodies, "missing")}
+    for name, body in bodies.items():
+        gearwright.Polyhedron(*body).save(paths[name])
+    return paths
+
+
+def test_a_sound_body_passes(run, files):
+    outcome = run("check", files["box"])
+    assert outcome.code == 0
+    assert outcome.err == ""
+    assert outcome.out == (
+        f"{files['box']}: all is well (12 faces, 1 component)\n"
+        "  valid: closed, outward, of one orientation\n"
+        "  no face passes through another\n"
+    )
+
+
+def test_a_body_through_another_fails(run, files):
+    outcome = run("check", files["pierced"])
+    assert outcome.code == 1
+    assert f"{files['pierced']}: a check failed (24 faces, 2 components)" in outcome.out
+    assert "passing through each other" in outcome.out
+    assert "valid: closed" in outcome.out
+
+
+def test_bodies_in_contact_pass_with_a_remark(run, files):
+    outcome = run("check", files["stacked"])
+    assert outcome.code == 0
+    assert "remark: " in outcome.out
+    assert "touching" in outcome.out
+    assert "problem" not in outcome.out
+
+
+def test_a_hole_fails(run, files):
+    outcome = run("check", files["open"])
+    assert outcome.code == 1
+    assert "problem: 4 open edges" in outcome.out
+    assert "no face passes through another" in outcome.out
+
+
+def test_json_has_a_line_for_each_file_that_can_be_used(run, files):
+    outcome = run("check", "--json", *files.values())
+    lines = [json.loads(line) for line in outcome.out.splitlines()]
+    assert [line["file"] for line in lines] == [str(files[name]) for name in ("box", "pierced", "stacked", "open")]
+    assert [line["passed"] for line in lines] == [True, False, True, False]
+    assert [line["valid"] for line in lines] == [True, True, True, False]
+    assert [line["faces"] for line in lines] == [12, 24, 24, 10]
+    assert [line["open_edges"] for line in lines] == [0, 0, 0, 4]
+    crossings = [line["self_intersections"] for line in lines]
+    assert [found["count"] > 0 for found in crossings] == [False, True, False, False]
+    assert [len(found["touching"]) > 0 for found in crossings] == [False, False, True, False]
+    assert np.shape(crossings[1]["points"]) == (crossings[1]["count"], 3)
+    assert set(np.array(crossings[1]["points"])[:, 2]) == {0.0, 1.0}
+    assert outcome.code == 2
+    assert str(files["missing"]) in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("names", "code"),
+    [
+        (("box", "stacked"), 0),
+        (("open", "box"), 1),
+        (("box", "pierced"), 1),
+        (("missing", "box"), 2),
+        (("missing", "pierced"), 2),
+        (("pierced", "missing"), 2),
+    ],
+)
+def test_the_worst_code_counts(run, files, names, code):
+    assert run("check", *(files[name] for name in names)).code == code
+
+
+def test_a_file_is_needed(run):
+    outcome = run("check")
+    assert outcome.code == 2
+    assert "gearwright check --help" in outcome.err
