@@ -12,7 +12,7 @@ FACES = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2,
 @pytest.fixture
 def files(tmp_path):
     """A sound box, one pierced by a bar, one on another, one without its last face, one that is not there."""
-    bar = CORNERS * [0.25, 0.5, 3.0] + [0.375, 0.125, -1.0]
+    bar = CORNERS * [0.25, 0.5, 3.0] + [0.3125, 0.125, -1.0]
     above = CORNERS * [0.5, 0.5, 1.0] + [0.25, 0.25, 1.0]
     both = np.concatenate([FACES, FACES + 8])
     bodies = {
