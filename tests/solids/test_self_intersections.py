@@ -1,6 +1,7 @@
 """Faces that pass through each other: shapes whose answer is known, and random ones against rational arithmetic."""
 
 import json
+from fractions import Fraction
 from itertools import combinations
 
 import numpy as np
@@ -15,7 +16,7 @@ from gearwright.solids.box_tree import overlapping_pairs
 from gearwright.solids.orientations import side, turn
 
 from ..examples import every_part, polyhedron
-from .rational_triangles import meetings, passings
+from .rational_triangles import dot, meetings, minus, normal, passings
 
 TETRAHEDRON = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
 ITS_FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -342,18 +343,24 @@ def test_points_lie_on_both_triangles(soup):
                 assert shares.sum() < 1.0 + 1e-9
 
 
-@settings(deadline=None, max_examples=300)
-@given(st.lists(st.tuples(*3 * [GRIDS["floats"]]), min_size=3, max_size=3), st.integers(0, 40), st.integers(0, 40))
-def test_signs_of_points_next_to_a_plane(corners, i, j):
-    """Moved off a level plane by the least there is, near and far from the corners."""
-    points = np.array([*corners, [0.0, 0.0, 0.0]])
-    points[:3, 2] = 0.3
-    points[3] = points[0] + i / 16.0 * (points[1] - points[0]) + j / 16.0 * (points[2] - points[0])
-    expected = turn(points, 0, 1, 2, 2)
-    for height, sign in ((0.3, 0), (np.nextafter(0.3, 1.0), 1), (np.nextafter(0.3, 0.0), -1)):
-        points[3, 2] = height
-        assert side(points, 0, 1, 2, 3) == sign * expected
-        assert side(points, 1, 0, 2, 3) == -sign * expected
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("far", [0.0, 1e3, 1e8])
+def test_signs_next_to_planes_and_lines(seed, far):
+    """Of points on a plane or a line but for rounding, where plain arithmetic gives many wrong signs."""
+    random = np.random.default_rng(seed)
+    shares = random.integers(-8, 9, (300, 2)) / 8.0
+    signs = []
+    for u, v in shares:
+        a, b, c = random.random((3, 3)) + far
+        points = np.array([a, b, c, a + u * (b - a) + v * (c - a), a + u * (b - a)])
+        exact = [[Fraction(float(x)) for x in point] for point in points]
+        height = dot(minus(exact[3], exact[0]), normal(exact[:3]))
+        across = normal([exact[0], exact[1], exact[4]])
+        signs.append(np.sign(height))
+        assert side(points, 0, 1, 2, 3) == np.sign(height)
+        assert side(points, 1, 0, 2, 3) == -np.sign(height)
+        assert [turn(points, 0, 1, 4, axis) for axis in range(3)] == [np.sign(x) for x in across]
+    assert {-1, 0, 1} == set(signs) or far == 0.0
 
 
 @pytest.mark.parametrize("count", [1, 2, 4, 5, 9, 300, 9000])

@@ -12,7 +12,7 @@ from ..arrays import Array, Indices
 _LEAF = 4
 """Boxes a leaf holds."""
 
-_BLOCK = 8192
+_BLOCK = 256
 """Boxes whose partners are listed at a time, so that memory stays small where very many overlap."""
 
 
