@@ -325,6 +325,23 @@ def test_random_soups_agree_with_rational_arithmetic(soup):
     assert sum(map(len, meetings(points, triangles))) == len(through) + len(touching)
 
 
+@pytest.mark.parametrize("level", [True, False])
+def test_corners_on_sides_but_for_rounding(level):
+    """Apart, touching or through by the last digit, in one plane and across."""
+    random = np.random.default_rng(11)
+    seen = set()
+    for _ in range(300):
+        a, b, c, d, e = random.random((5, 3))
+        tip = a + random.integers(1, 8) / 8.0 * (b - a)
+        points = np.array([a, b, c, tip, tip + (tip - c) + 0.1 * (d - a), tip + (tip - c) + 0.1 * (e - b)])
+        if level:
+            points[:, 2] = 0.5
+        found = sets(gw.Polyhedron(points, [[0, 1, 2], [3, 4, 5]]).self_intersections())
+        assert found == passings(points, [[0, 1, 2], [3, 4, 5]])
+        seen.add(tuple(map(len, found)))
+    assert {(0, 0), (0, 1) if level else (1, 0)} <= seen
+
+
 @settings(deadline=None, max_examples=200)
 @given(soups())
 def test_points_lie_on_both_triangles(soup):
