@@ -265,6 +265,16 @@ def test_faces_without_area_meet_nothing():
     assert sets(gw.Polyhedron(points, faces).self_intersections()) == (set(), set())
 
 
+def test_triangles_of_one_face_do_not_count():
+    """A snail of more than one turn around its first corner covers itself, but is one face; two halves are two."""
+    turns = np.radians(60.0) * np.arange(8)
+    snail = (1.0 + 0.1 * np.arange(8))[:, None] * np.stack([np.cos(turns), np.sin(turns), 0.0 * turns], axis=-1)
+    points = np.concatenate([np.zeros((1, 3)), snail])
+    assert sets(gw.Polyhedron(points, [list(range(9))]).self_intersections()) == (set(), set())
+    halves = gw.Polyhedron(points, [[0, 1, 2, 3, 4], [0, 4, 5, 6, 7, 8]])
+    assert sets(halves.self_intersections()) == ({(0, 1)}, set())
+
+
 def test_nothing_has_none():
     assert sets(gw.Polyhedron([], []).self_intersections()) == (set(), set())
 
