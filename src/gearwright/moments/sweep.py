@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import factorial
+import cmath
+from collections.abc import Callable, Sequence
+from math import factorial, sin
 
 import numpy as np
 
@@ -53,13 +54,19 @@ def _products(m: Array, a: int, b: int) -> Array:
 
 
 def extrusion_sweep(
-    section: Array, centre: complex, scales: Array, turn: complex, twist: float, skew: complex, half: float
+    section: Array,
+    centre: complex,
+    scales: Sequence[Sequence[float]],
+    turn: complex,
+    twist: float,
+    skew: complex,
+    half: float,
 ) -> Array:
     """Moment matrix (4, 4) of a plane section twisted, scaled and skewed evenly, about the axis at mid-height.
 
     section   (4, 4)  m[a, b] = ∫ x^a y^b dA about a point of its own
     centre    that point, x + iy from the axis
-    scales    (2, 2)  (s_x, s_y) at mid-height, and what they grow by from there to the end
+    scales    of x and of y: each at mid-height, and what it grows by from there to the end
     turn      e^{iφ} of the angle φ at mid-height
     twist     angle from mid-height to the end, radians
     skew      offset (x + iy) from mid-height, where there is none, to the end
@@ -69,58 +76,71 @@ def extrusion_sweep(
     every entry of the matrix is a sum of polynomials in s times 1, e^{i twist s} or e^{2i twist s}: closed form.
     Source: Al-Daccak 1989, eqs. (5.17), (5.19)–(5.20), here all together.
     """
-    m, x, y = section, centre.real, centre.imag
-    along, across = scales.T
-    area, mx, my = m[0, 0], m[1, 0] + m[0, 0] * x, m[0, 1] + m[0, 0] * y
-    xx = m[2, 0] + x * (m[1, 0] + mx)
-    yy = m[0, 2] + y * (m[0, 1] + my)
-    xy = m[1, 1] + x * m[0, 1] + y * mx
-    element = half * np.convolve(along, across)
-    first = np.convolve(element, mx * along + 1j * my * across)
-    norms = xx * np.convolve(along, along), yy * np.convolve(across, across)
-    square = np.convolve(element, norms[0] - norms[1] + 2j * xy * np.convolve(along, across))
-    zeroth, once, twice = (_harmonic_integrals(j * twist) for j in range(3))
-
-    def integral(polynomial: Array, harmonics: Array, power: int = 0) -> complex:
-        return complex(polynomial @ harmonics[power : power + len(polynomial)])
-
-    volume = area * integral(element, zeroth).real
-    level, levels = (area * integral(element, zeroth, power).real for power in (1, 2))
-    turned, climbed = turn * integral(first, once), turn * integral(first, once, 1)
-    mean = integral(np.convolve(element, norms[0] + norms[1]), zeroth).real
-    mean += 2.0 * (np.conj(skew) * climbed).real + abs(skew) ** 2 * levels
-    double = turn**2 * integral(square, twice) + 2.0 * skew * climbed + skew**2 * levels
+    # numbers and short lists: arrays so small would spend their time on themselves
+    m, x, y = section.tolist(), centre.real, centre.imag
+    along, across = scales
+    area, mx, my = m[0][0], m[1][0] + m[0][0] * x, m[0][1] + m[0][0] * y
+    xx = m[2][0] + x * (m[1][0] + mx)
+    yy = m[0][2] + y * (m[0][1] + my)
+    xy = m[1][1] + x * m[0][1] + y * mx
+    element = [half * c for c in _product(along, across)]
+    first = _product(element, [mx * a + 1j * my * b for a, b in zip(along, across, strict=True)])
+    norms = [xx * c for c in _product(along, along)], [yy * c for c in _product(across, across)]
+    mixture = [2j * xy * c for c in _product(along, across)]
+    square = _product(element, [a - b + c for a, b, c in zip(*norms, mixture, strict=True)])
+    once, twice = _harmonic_integrals(twist), _harmonic_integrals(2.0 * twist)
+    volume, level, levels = (area * _integral(element, _STILL, power).real for power in range(3))
+    turned, climbed = (turn * _integral(first, once, power) for power in range(2))
+    mean = _integral(_product(element, [a + b for a, b in zip(*norms, strict=True)]), _STILL).real
+    mean += 2.0 * (skew.conjugate() * climbed).real + abs(skew) ** 2 * levels
+    double = turn**2 * _integral(square, twice) + 2.0 * skew * climbed + skew**2 * levels
     transverse = turned + skew * level
     mixed = half * (climbed + skew * levels)
-    second = [
-        [(mean + double.real) / 2.0, double.imag / 2.0, mixed.real],
-        [double.imag / 2.0, (mean - double.real) / 2.0, mixed.imag],
-        [mixed.real, mixed.imag, half**2 * levels],
-    ]
-    return moment_matrix(volume, [transverse.real, transverse.imag, half * level], second)
+    return np.array(
+        [
+            [volume, transverse.real, transverse.imag, half * level],
+            [transverse.real, (mean + double.real) / 2.0, double.imag / 2.0, mixed.real],
+            [transverse.imag, double.imag / 2.0, (mean - double.real) / 2.0, mixed.imag],
+            [half * level, mixed.real, mixed.imag, half**2 * levels],
+        ]
+    )
 
 
 _ORDERS = 5  # powers of s that occur: the element's 2 and 2 of coordinates
 _SERIES = 3.0  # below this angle the power series, above it the recurrence keeps every digit
-
-
-def _harmonic_integrals(angle: float) -> Array:
-    """∫ s^k e^{i angle s} ds (5,) from −1 to 1, for k from 0 to 4."""
-    if abs(angle) < _SERIES:
-        return _INVERSE_POWERS @ (1j * angle) ** np.arange(_TERMS)
-    ends = np.exp(1j * angle), np.exp(-1j * angle)
-    found = np.empty(_ORDERS, complex)
-    found[0] = 2.0 * np.sin(angle) / angle
-    for k in range(1, _ORDERS):
-        found[k] = (ends[0] - (-1) ** k * ends[1] - k * found[k - 1]) / (1j * angle)
-    return found
-
-
 _TERMS = 30  # 3^30 / 30! is 1e-18
 _INVERSE_POWERS = np.array(
     [[2.0 / (factorial(n) * (k + n + 1)) if (k + n) % 2 == 0 else 0.0 for n in range(_TERMS)] for k in range(_ORDERS)]
 )
 """2/(n! (k + n + 1)) where k + n is even: the coefficients of (i angle)^n."""
+_STILL = [2.0 / (k + 1) if k % 2 == 0 else 0.0 for k in range(_ORDERS)]
+"""∫ s^k ds from −1 to 1."""
+
+
+def _product(a: Sequence[complex], b: Sequence[complex]) -> list[complex]:
+    """Coefficients of the product of two polynomials."""
+    found: list[complex] = [0.0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            found[i + j] += x * y
+    return found
+
+
+def _integral(polynomial: Sequence[complex], harmonics: Sequence[complex], power: int = 0) -> complex:
+    """∫ polynomial(s) s^power e^{i angle s} ds from −1 to 1, from the integrals of the powers."""
+    return sum((c * h for c, h in zip(polynomial, harmonics[power:], strict=False)), start=0j)
+
+
+def _harmonic_integrals(angle: float) -> list[complex]:
+    """∫ s^k e^{i angle s} ds from −1 to 1, for k from 0 to 4."""
+    if abs(angle) < _SERIES:
+        found: list[complex] = (_INVERSE_POWERS @ (1j * angle) ** np.arange(_TERMS)).tolist()
+        return found
+    end = cmath.exp(1j * angle)
+    found = [2.0 * sin(angle) / angle]
+    for k in range(1, _ORDERS):
+        found.append((end - (-1) ** k * end.conjugate() - k * found[-1]) / (1j * angle))
+    return found
 
 
 def revolution_sweep(section: Array, start: float, stop: float) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +13,9 @@ from ..moments.sweep import extrusion_sweep
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from .ends import Ends
-from .parallel import ParallelMotion, in_space
+from .parallel import ParallelMotion
 
+_ROUNDING = float(np.finfo(float).eps)
 _FAR = 100.0  # distance from the axis, in radii of gyration, squared: two digits lost
 
 
@@ -63,23 +65,26 @@ class Extrusion(ParallelMotion):
         constants = ends.constants
         if constants is None or not isinstance(section, Section):
             return None
-        local = section.local_moments
-        reach = float(local.origin @ local.origin) * local.area / float(local.values[2, 0] + local.values[0, 2])
+        local, centre = section.local_moments, complex(*section.local_moments.origin.tolist())
+        gyration = float(local.values[2, 0] + local.values[0, 2]) / local.area
+        reach = abs(centre) ** 2 / gyration
         if reach > _FAR:
             return super().moments(section, ends)
         half, middle = (constants[1] - constants[0]) / 2.0, (constants[0] + constants[1]) / 2.0
-        grown, share = self._scales(np.array(middle / self.length)), half / self.length
+        at, share = middle / self.length, half / self.length
+        growth = [s - 1.0 for s in self.scale]
+        offset = complex(*self.skew)
         matrix = extrusion_sweep(
             local.values,
-            complex(*local.origin),
-            np.array([grown, (np.array(self.scale) - 1.0) * share]),
-            complex(np.exp(1j * self.twist * middle / self.length)),
+            centre,
+            [(1.0 + g * at, g * share) for g in growth],
+            cmath.exp(1j * self.twist * at),
             self.twist * share,
-            complex(*self.skew) * share,
+            offset * share,
             half,
         )
-        origin = in_space(self.offset(middle), middle)
-        rounding = (1.0 + reach) * float(np.finfo(float).eps)
+        origin = np.array([offset.real * at, offset.imag * at, middle])
+        rounding = (1.0 + reach) * _ROUNDING
         return about_centroid(matrix, "exact", section.moments_error + rounding, origin)
 
     @property
