@@ -7,7 +7,7 @@ values, derivatives and integrals are those of the series, to rounding.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -20,7 +20,9 @@ _DEGREE = 23
 _TAIL = 3  # last coefficients that must be negligible
 _DEEPEST = 48  # bisections: at a kink the tail falls with the width, at a jump never
 _MOST_PIECES = 20_000
-_KINK = 1e-9  # of the interval: pieces narrower than this have closed in on a kink
+_NARROW = 1e-9  # of the interval: pieces narrower than this have closed in on a kink
+_JUMP = 1e-9  # of the function's size: values of neighbouring pieces that differ by more where they meet
+_BEND = 1e-7  # the same of their slopes, by the interval: rounding leaves some 1e-12
 
 _NODES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))[::-1]
 """Roots of T_24: all inside, so that no piece ever looks beyond its ends."""
@@ -58,7 +60,7 @@ class Smooth:
     def derivative(self) -> Smooth:
         """The function's derivative."""
         scale = 2.0 / np.diff(self.breaks)[:, None, None]
-        return self._with(scale * chebyshev.chebder(self.coefficients, axis=1))
+        return replace(self, coefficients=scale * chebyshev.chebder(self.coefficients, axis=1))
 
     @cached_property
     def integral(self) -> Smooth:
@@ -67,16 +69,7 @@ class Smooth:
         series = scale * chebyshev.chebint(self.coefficients, lbnd=-1, axis=1)
         ends = np.cumsum(series.sum(axis=1), axis=0)  # every T_n is 1 at the end of a piece
         series[1:, 0] += ends[:-1]
-        return self._with(series)
-
-    def _with(self, coefficients: Array) -> Smooth:
-        return Smooth(
-            breaks=self.breaks,
-            coefficients=coefficients,
-            kinks=self.kinks,
-            error=self.error,
-            evaluations=self.evaluations,
-        )
+        return replace(self, coefficients=series)
 
 
 def smooth(
@@ -89,24 +82,18 @@ def smooth(
 ) -> Smooth:
     """The piecewise series of a function (n,) → (n, m) between the first and the last of the breaks.
 
-    breaks      where pieces must end; the function may have kinks there
+    breaks      where pieces must end; the function may jump there
     tolerance   of the values, relative to the largest one or to `least`, whichever is larger
     name        what the function is called where it is refused
 
     Raises GeometryError where it is not finite, jumps, or is rougher than the tolerance asks.
     """
-    first = _resolved(function, np.asarray(breaks, float), tolerance, name, least)
-    kinks = _kinks(first.breaks)
-    if not kinks:
-        return first
-    again = _resolved(function, np.unique([*breaks, *kinks]), tolerance, name, least)
-    return Smooth(
-        breaks=again.breaks,
-        coefficients=again.coefficients,
-        kinks=kinks,
-        error=again.error,
-        evaluations=first.evaluations + again.evaluations,
-    )
+    found = _resolved(function, np.asarray(breaks, float), tolerance, name, least)
+    narrow = _closed_in(found.breaks)
+    if narrow:
+        again = _resolved(function, np.unique([*breaks, *narrow]), tolerance, name, least)
+        found = replace(again, evaluations=found.evaluations + again.evaluations)
+    return replace(found, kinks=_kinks(found, np.asarray(breaks, float), tolerance, name, least))
 
 
 def _resolved(function: Callable[[Array], Array], breaks: Array, tolerance: float, name: str, least: float) -> Smooth:
@@ -166,12 +153,30 @@ def _rough(name: str, intervals: Array, tolerance: float, where: str) -> Geometr
     )
 
 
-def _kinks(breaks: Array) -> tuple[float, ...]:
+def _closed_in(breaks: Array) -> tuple[float, ...]:
     """Where runs of narrow pieces have closed in on something, but for the ends: the middles of their narrowest."""
     start, stop, widths = breaks[0], breaks[-1], np.diff(breaks)
-    narrow = np.flatnonzero(widths <= _KINK * (stop - start))
+    narrow = np.flatnonzero(widths <= _NARROW * (stop - start))
     runs = np.split(narrow, np.flatnonzero(np.diff(narrow) > 1) + 1) if len(narrow) else []
     narrowest = [run[np.argmin(widths[run])] for run in runs]
     middles = ((breaks[i] + breaks[i + 1]) / 2.0 for i in narrowest)
-    margin = 10.0 * _KINK * (stop - start)
+    margin = 10.0 * _NARROW * (stop - start)
     return tuple(float(x) for x in middles if start + margin < x < stop - margin)
+
+
+def _kinks(found: Smooth, given: Array, tolerance: float, name: str, least: float) -> tuple[float, ...]:
+    """Breaks at which the derivative jumps. Raises GeometryError where the function does, but at given breaks."""
+    if len(found.breaks) == 2:
+        return ()
+    slopes = found.derivative.coefficients
+    signs = (-1.0) ** np.arange(_DEGREE + 1)
+    steps, bends = (
+        np.max(np.abs(np.tensordot(signs[: c.shape[1]], c[1:], (0, 1)) - c[:-1].sum(axis=1)), axis=1)
+        for c in (found.coefficients, slopes)
+    )
+    scale = max(least, float(np.max(np.abs(found.coefficients).sum(axis=1))))
+    jumps = np.flatnonzero((steps > max(_JUMP, 100.0 * tolerance) * scale) & ~np.isin(found.breaks[1:-1], given))
+    if len(jumps):
+        raise _rough(name, np.repeat(found.breaks[1 + jumps[:1], None], 2, axis=1), tolerance, "near")
+    width = found.breaks[-1] - found.breaks[0]
+    return tuple(found.breaks[1:-1][bends * width > max(_BEND, 1e4 * tolerance) * scale].tolist())
