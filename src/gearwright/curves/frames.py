@@ -43,6 +43,12 @@ class Frame:
     axes: Array
     angle: Smooth | None = None
 
+    @property
+    def panels(self) -> tuple[float, ...]:
+        """Parameters at which path or angle go on as another series."""
+        breaks = [self.path.series.breaks[1:-1], *([] if self.angle is None else [self.angle.breaks[1:-1]])]
+        return tuple(np.unique(np.concatenate(breaks)).tolist())
+
     def across(self, u: ArrayLike) -> Array:
         """E = [e₁ e₂] (..., 3, 2) at u (...)."""
         return self._turned(self._carried(u), u)

@@ -20,7 +20,7 @@ from .parallel import applied
 from .plane_quadrature import quadrature_moments
 from .transform import Transform
 
-_CLOSING = 1e-9  # of the transform's largest entry: its ends are then one
+_CLOSING = 1e-9  # of the transform's largest entry, of the way: what differs by less is one
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,7 +76,13 @@ class Along(Motion):
         return quadrature_moments(self, section, *constants)
 
     def panels(self, start: float, finish: float) -> tuple[float, ...]:
-        return tuple(u for u in self.frame.path.panels if start < u < finish)
+        found = [*self.frame.panels]
+        if self.transform is not None:
+            path = self.frame.path
+            found += [_parameter_at(path, f * path.length) for f in self.transform.series.breaks[1:-1]]
+        inner = np.sort([u for u in found if start < u < finish])
+        apart = np.diff(inner, prepend=start) > _CLOSING * (finish - start)
+        return tuple(inner[apart].tolist())
 
     def breaks(self, ends: Ends) -> tuple[float, ...]:
         if self.transform is None:
