@@ -12,12 +12,14 @@ import gearwright.curves
 from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
 from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
+from gearwright.curves.elliptic_arc import EllipticArc
 from gearwright.curves.helix import helix
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import Path, path_through
+from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.curves.spherical_involute import SphericalInvolute
 
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
@@ -32,6 +34,15 @@ EXAMPLES = {
         Bezier(control=((0.0, 0.0), (1.0, 2.0), (3.0, -1.0), (2.0, 2.0))),
         Bezier(control=((1.0, 0.0, 1.0), (0.5, 0.7, 0.2), (-1.0, 1.0, 0.3)), interval=(0.9, 0.2)),
         Bezier(control=((0.3, 1.0), (2.0, 2.5)), interval=(0.0, 1.0)),
+    ],
+    RationalBezier: [
+        RationalBezier(control=((0.0, 0.0), (1.0, 2.0), (3.0, -1.0), (2.0, 2.0)), weights=(1.0, 0.7, 1.6, 1.2)),
+        RationalBezier(control=((1.0, 0.0, 1.0), (0.5, 0.7, 0.2)), weights=(0.8, 1.3), interval=(0.9, 0.2)),
+        RationalBezier(control=((0.3, 1.0), (2.0, 2.5)), weights=(1.5, 1.0)),
+    ],
+    EllipticArc: [
+        EllipticArc(centre=(0.4, -0.9), a=(1.7, 0.3), b=(-0.2, 0.9), interval=(0.3, 2.9)),
+        EllipticArc(centre=(0.0, 0.0), a=(0.2, 0.0), b=(0.0, -0.5), interval=(1.0, -2.5)),
     ],
     Involute: [Involute(base_radius=2.3, interval=(0.0, 1.4)), Involute(base_radius=0.7, interval=(0.8, -0.5))],
     Meridian: [Meridian(azimuth=2.2, interval=(0.4, 1.9))],

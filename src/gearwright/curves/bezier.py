@@ -24,11 +24,11 @@ class Bezier(Curve):
     interval: tuple[float, float] = (0.0, 1.0)
 
     def point(self, u: ArrayLike) -> Array:
-        return _bernstein(len(self.control) - 1, u) @ np.array(self.control)
+        return bernstein(len(self.control) - 1, u) @ np.array(self.control)
 
     def derivative(self, u: ArrayLike) -> Array:
         degree = len(self.control) - 1
-        return degree * _bernstein(degree - 1, u) @ np.diff(np.array(self.control), axis=0)
+        return degree * bernstein(degree - 1, u) @ np.diff(np.array(self.control), axis=0)
 
     @classmethod
     def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
@@ -39,10 +39,10 @@ class Bezier(Curve):
         control = np.array([c.control for c in curves])
         degree, u = control.shape[1] - 1, first.parameter(fractions)
         span = first.interval[1] - first.interval[0]
-        return _bernstein(degree, u) @ control, span * degree * _bernstein(degree - 1, u) @ np.diff(control, axis=1)
+        return bernstein(degree, u) @ control, span * degree * bernstein(degree - 1, u) @ np.diff(control, axis=1)
 
 
-def _bernstein(degree: int, u: ArrayLike) -> Array:
+def bernstein(degree: int, u: ArrayLike) -> Array:
     """Bernstein's polynomials (..., degree + 1) at u (...): binomial(n, k) u^k (1 − u)^(n − k)."""
     u = np.asarray(u, float)[..., None]
     k = np.arange(degree + 1)

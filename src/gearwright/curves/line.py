@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Self
 
 import numpy as np
@@ -35,3 +36,9 @@ class Line(Curve):
         a, b = (np.array(ends)[:, None] for ends in zip(*(c.interval for c in curves), strict=True))
         u = (a * (1.0 - fractions) + b * fractions)[..., None]
         return first * (1.0 - u) + last * u, (last - first) * (b - a)[..., None] + np.zeros_like(u)
+
+
+def lines_through(points: ArrayLike) -> list[Line]:
+    """The lines from point to point (n, d); equal neighbours are one point."""
+    corners = [tuple(corner) for corner in np.asarray(points, float).tolist()]
+    return [Line(first=a, last=b) for a, b in pairwise(corners) if a != b]
