@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite, pi
 from numbers import Real
+from pathlib import Path
 from typing import Self
 
 import numpy as np
@@ -106,6 +107,21 @@ class Section(LoopedSection):
     def support(self) -> Support:
         """How far the section reaches in every direction."""
         return support(self.loops[0].with_copies(1).curves)
+
+    @classmethod
+    def load(cls, path: str | Path, *, layer: str | None = None, around: ArrayLike | None = None) -> Self:
+        """The section that a DXF, SVG or CSV drawing shows, on its true curves; docs/drawings.md.
+
+        layer    the one layer to read; None reads all that are not hidden
+        around   a point (x, y) in the wanted region, where the drawing holds several
+
+        Coordinates are the drawing's own; in SVG, of the unit its width states, and y points up.
+        Raises FileError where the file cannot be read; GeometryError naming every place where its curves
+        bound no region; MachineError where the reader is not installed: pip install 'gearwright[drawing]'.
+        """
+        from .drawings import read
+
+        return cls(loops=read(path, layer=layer).region(around))
 
     @cached_property
     def _frame(self) -> tuple[Array, float]:
