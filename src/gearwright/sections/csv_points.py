@@ -9,7 +9,7 @@ import numpy as np
 from ..curves.curve import Curve
 from ..curves.line import lines_through
 from ..errors import FileError
-from .sheet import Sheet
+from .sheet import MOST_CURVES, Sheet
 
 _SEPARATOR = re.compile(r"\s*[,;]\s*|\s+")
 
@@ -33,6 +33,8 @@ def read(source: str, data: bytes, layer: str | None) -> Sheet:
         raise FileError(
             f"{source}: this is no text of points; a line of x and y for each corner was expected"
         ) from None
+    if text.count("\n") > MOST_CURVES:
+        raise FileError(f"{source}: more than {MOST_CURVES} lines; that many corners are no drawing of a section")
     curves: list[Curve] = []
     for first_line, corners in _loops(source, text):
         closed = corners if corners[0] == corners[-1] else [*corners, corners[0]]

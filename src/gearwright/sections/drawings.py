@@ -19,8 +19,8 @@ from .loop import Loop
 from .nesting import Chain, described, innermost, regions
 from .sheet import Sheet
 
-LARGEST_FILE = 64 << 20
-"""Bytes: a hundred times a large drawing of a section, and a minute's reading."""
+LARGEST_FILE = 32 << 20
+"""Bytes: fifty times a large drawing of a section, and half a minute's reading."""
 
 _READERS: Mapping[str, Callable[[str, bytes, str | None], Sheet]] = {
     ".dxf": dxf.read,
@@ -85,7 +85,8 @@ def read(path: str | Path, *, layer: str | None = None) -> Drawing:
     source, suffix = f"{path}", Path(path).suffix.lower()
     if suffix not in _READERS:
         raise FileError(f"{source}: sections are read from {', '.join(_READERS)}; end the name in one of these")
-    sheet = _READERS[suffix](source, _contents(path), layer)
+    with np.errstate(all="ignore"):  # what overflows is no number, which the joining of curves refuses
+        sheet = _READERS[suffix](source, _contents(path), layer)
     passed = ", ".join(f"{count} {kind}" for kind, count in sheet.passed_over.items())
     if not sheet.curves:
         raise FileError(f"{source}: there are no curves in it" + (f"; passed over: {passed}" if passed else ""))

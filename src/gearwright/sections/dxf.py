@@ -25,6 +25,11 @@ _UNITS = {
 _DEEPEST = 32
 """Blocks within blocks; more is a block that holds itself."""
 
+_BROKEN = (
+    ArithmeticError, AttributeError, LookupError, RuntimeError, StopIteration, TypeError, ValueError, struct.error,
+)  # fmt: skip
+"""What ezdxf raises besides its own errors at a file whose tags are not what their codes promise."""
+
 _BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
 
 
@@ -106,16 +111,7 @@ def _refused(source: str) -> Iterator[None]:
 
     try:
         yield
-    except (
-        DXFError,
-        ArithmeticError,
-        AttributeError,
-        LookupError,
-        RecursionError,
-        TypeError,
-        ValueError,
-        struct.error,
-    ) as e:
+    except (DXFError, *_BROKEN) as e:
         reason = str(e).splitlines()[0][:160] if str(e) else type(e).__name__
         raise FileError(
             f"{source}: this DXF file is damaged ({reason}); export it again, as AutoCAD 2000 or later"

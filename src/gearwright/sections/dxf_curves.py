@@ -142,7 +142,7 @@ def _spline(entity: Any) -> tuple[list[Curve], list[float]]:
         )
     if len(weights) not in (0, len(control)) or not np.all(weights > 0.0):
         raise Unusable(f"{start} has {len(weights)} weights; one > 0 for each of {len(control)} points is needed")
-    if not (np.all(np.diff(knots) >= 0.0) and knots[degree] < knots[len(control)]):
+    if not (np.all(np.isfinite(knots)) and np.all(np.diff(knots) >= 0.0) and knots[degree] < knots[len(control)]):
         raise Unusable(f"{start} has knots that do not ascend")
     spans = bspline_spans(degree, knots, control[:, :2], weights if len(weights) else None)
     return list(spans), control[:, 2].tolist()

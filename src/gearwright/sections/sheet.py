@@ -77,10 +77,14 @@ class Tally:
         )
 
 
+LARGEST_COORDINATE = 1e50
+"""Beyond it the moments of third order would overflow; what is written so large is damaged."""
+
+
 def samples(curves: tuple[Curve, ...], fractions: Array) -> Array:
-    """Points (n, m, 2) of n curves at fractions (m,), of which all are finite or a ValueError is raised."""
+    """Points (n, m, 2) of n curves at fractions (m,). Raises ValueError where some are out of all range."""
     with np.errstate(all="ignore"):
         points, _ = along(curves, fractions)
-    if not np.all(np.isfinite(points)):
-        raise ValueError("coordinates that are not finite")
+    if not np.all(np.abs(points) <= LARGEST_COORDINATE):
+        raise ValueError(f"it has coordinates that are no numbers or beyond {LARGEST_COORDINATE:g}")
     return points

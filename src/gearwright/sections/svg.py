@@ -22,6 +22,9 @@ _CONTAINERS = frozenset({"g", "a", "switch"})
 _SEEN = frozenset({"text", "image", "foreignObject", "flowRoot"})
 """What shows on the screen and is no outline; definitions, metadata and the like do not show."""
 
+_DEEPEST = 32
+"""Copies of copies; more is one that shows itself."""
+
 _PAGE_KINDS = frozenset({"svg", "symbol"})
 
 
@@ -102,7 +105,7 @@ def _follow(tally: Tally, targets: Mapping[str, Element], use: Element, state: _
     target = targets.get(name)
     if target is None or not name:
         raise Unusable(f"{_named(use)} refers to {use.get('href')!r}, which is not in this file")
-    if name in state.uses:
+    if name in state.uses or len(state.uses) >= _DEEPEST:
         raise Unusable(f"{_named(use)} shows itself; replace it by a plain copy")
     if target.tag in _PAGE_KINDS and (target.tag == "svg" or target.get("viewBox")):
         raise Unusable(
