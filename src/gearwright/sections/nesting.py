@@ -26,9 +26,6 @@ _FINEST, _POINTS = 256, 20_000
 _COARSE = 1e-3
 """Boxes of the polygons of one loop differ by less, relative to the loop, wherever its curves start."""
 
-_UNDECIDED = 0.02
-"""So few points of a loop on the wrong side of another may be rounding; more, and the two cross."""
-
 
 @dataclass(frozen=True)
 class _Ring:
@@ -67,6 +64,25 @@ class _Ring:
         polygon = shapely.Polygon(self.polygon)
         shapely.prepare(polygon)
         return polygon
+
+    @cached_property
+    def outline(self) -> shapely.LinearRing:
+        import shapely
+
+        outline = shapely.LinearRing(self.polygon)
+        shapely.prepare(outline)
+        return outline
+
+    def meets(self, other: _Ring) -> bool:
+        """Whether the polygons' sides cross or touch."""
+        few, many = sorted((self, other), key=lambda ring: len(ring.polygon))
+        return bool(many.outline.intersects(few.outline))
+
+    def goes_around(self, point: Array) -> bool:
+        """Whether a point (2,) lies inside."""
+        import shapely
+
+        return bool(shapely.contains_xy(self.filled, point[0], point[1]))
 
     @cached_property
     def box(self) -> Array:
@@ -109,7 +125,7 @@ def described(region: Sequence[Chain]) -> str:
 def innermost(found: Sequence[tuple[Chain, ...]], point: Array) -> int | None:
     """Number of the smallest region whose outer loop goes around a point."""
     rings = [_Ring(region[0]) for region in found]
-    around = [i for i, ring in enumerate(rings) if _share_within(np.array([point]), ring) > 0.0]
+    around = [i for i, ring in enumerate(rings) if ring.goes_around(point)]
     return min(around, key=lambda i: rings[i].area, default=None)
 
 
@@ -118,21 +134,12 @@ def _containment(rings: Sequence[_Ring]) -> tuple[Array, list[Problem]]:
     boxes = np.array([ring.box for ring in rings])
     inside, crossings = np.zeros((len(rings), len(rings)), bool), []
     for i, ring in enumerate(rings):
-        points = ring.polygon[:: max(1, len(ring.polygon) // 64)]
         meet = np.all((boxes[:, 0] <= ring.box[1]) & (ring.box[0] <= boxes[:, 1]), axis=1)
         for j in np.flatnonzero(meet).tolist():
-            share = 0.0 if i == j else _share_within(points, rings[j])
-            inside[i, j] = share > 0.5
-            if _UNDECIDED < share < 1.0 - _UNDECIDED:
+            if i < j and ring.meets(rings[j]):
                 crossings.append(_crossing(ring, rings[j]))
+            inside[i, j] = i != j and rings[j].goes_around(ring.polygon[0])
     return inside, crossings
-
-
-def _share_within(points: Array, ring: _Ring) -> float:
-    """Share of points (n, 2) within a ring's polygon."""
-    import shapely
-
-    return float(np.mean(shapely.contains_xy(ring.filled, points[:, 0], points[:, 1])))
 
 
 def _twins(rings: Sequence[_Ring], tolerance: float) -> list[Problem]:
