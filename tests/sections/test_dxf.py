@@ -83,6 +83,14 @@ def test_a_polyline_in_space_and_repeated_vertices(tmp_path):
     assert len(section.loops[0].curves) == 4
 
 
+def test_vertices_that_only_steer_a_polyline_are_not_on_it(tmp_path):
+    def draw(_, space):
+        line = space.add_polyline2d([(0, 0), (9, 9), (4, 0), (4, 3)], close=True)
+        line.vertices[1].dxf.flags = 16
+
+    assert load(tmp_path, draw).moments[0, 0] == pytest.approx(6, rel=1e-14)
+
+
 @pytest.mark.parametrize("weights", [None, [1, 2, 0.5, 1, 3, 1, 0.7, 1]])
 @pytest.mark.parametrize("degree", [2, 3, 4])
 def test_a_spline_is_exact(tmp_path, degree, weights):
@@ -272,6 +280,10 @@ class TestUnitsAndLayers:
         section = load(tmp_path, self.layered, layer="cut")
         assert section.moments[0, 0] == pytest.approx(25 * np.pi, rel=1e-14)
 
+    def test_a_layer_that_is_asked_for_is_read_even_if_it_is_off(self, tmp_path):
+        with pytest.raises(gw.GeometryError, match=r"open ends at \(0, 0\) and \(9, 9\)"):
+            load(tmp_path, self.layered, layer="Engraving")
+
     def test_a_layer_that_is_not_there_is_refused_with_those_that_are(self, tmp_path):
         with pytest.raises(gw.FileError, match=r"no layer 'TOOL'.*'CUT', 'HOLES'"):
             load(tmp_path, self.layered, layer="TOOL")
@@ -346,6 +358,32 @@ class TestRefusals:
         tilted = {"extrusion": (0, 1, 1), "layer": "SIDE"}
         with pytest.raises(gw.FileError, match="CIRCLE on layer SIDE lies in a plane across"):
             load(tmp_path, lambda _, s: s.add_circle((0, 0), 1, dxfattribs=tilted))
+
+    @pytest.mark.parametrize("angles", [(30, 30), (0, 0), (90, 810)])
+    def test_an_arc_from_an_angle_to_the_same_one(self, tmp_path, angles):
+        with pytest.raises(gw.FileError, match=rf"ARC on layer 0 starts and ends at {angles[0]}°"):
+            load(tmp_path, lambda _, s: s.add_arc((0, 0), 1, *angles))
+
+    @pytest.mark.parametrize(
+        ("changes", "match"),
+        [
+            ({"knots": [0, 0, 0, 1, 1]}, "3 control points and 5 knots"),
+            ({"knots": [0, 0, 0, 1, 0.5, 1]}, "knots that do not ascend"),
+            ({"knots": [1, 1, 1, 1, 1, 1]}, "knots that do not ascend"),
+            ({"weights": [1, 1]}, "2 weights"),
+            ({"weights": [1, 0, 1]}, "3 weights; one > 0"),
+        ],
+    )
+    def test_a_spline_whose_numbers_do_not_fit(self, tmp_path, changes, match):
+        """ezdxf writes any; the refusal says where the spline starts."""
+
+        def draw(_, space):
+            spline = space.add_open_spline([(3, 4), (5, 6), (7, 1)], 2)
+            for name, values in changes.items():
+                setattr(spline, name, values)
+
+        with pytest.raises(gw.FileError, match=rf"control point at \(3, 4\) has.*{match}"):
+            load(tmp_path, draw)
 
     def test_a_spline_of_fit_points_only(self, tmp_path):
         with pytest.raises(gw.FileError, match=r"SPLINE.* starts at \(3, 4\) and has fit points only"):

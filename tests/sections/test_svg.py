@@ -79,6 +79,7 @@ class TestTransforms:
             ("scale(2, 0.5)", EllipticArc, 1),
             ("skewX(30)", EllipticArc, 1),
             ("matrix(1 2 3 4 5 6)", EllipticArc, 2),
+            ("matrix(1 0 0.6 0.8 0 0)", EllipticArc, 0.8),  # half diameters of one length, not square
         ]:
             section = load(tmp_path, half.format(transform))
             assert section.moments[0, 0] == pytest.approx(factor * 12.5 * np.pi, rel=1e-13)
@@ -107,6 +108,9 @@ class TestUnits:
             ('width="10in" height="254mm" viewBox="0 0 960 960"', "in", 1 / 96),
             ('width="100mm" height="100mm" viewBox="0 0 100 200"', "mm", 0.5),  # fits by its height
             ('width="25.4mm"', "mm", 25.4 / 96),
+            ('width="6pc" height="1in" viewBox="0 0 6 6"', "pc", 1),
+            ('width="6pc" height="0.5in" viewBox="0 0 6 6"', "pc", 0.5),
+            ('width="72pt" height="6pc" viewBox="0 0 72 72"', "pt", 1),
             ('width="500" height="300" viewBox="0 0 50 30"', None, 1),
             ('viewBox="0 0 50 30"', None, 1),
             ('width="100%" viewBox="0 0 50 30"', None, 1),

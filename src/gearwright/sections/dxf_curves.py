@@ -23,7 +23,7 @@ _ONCE_ROUND = 1e-6
 """Angles from 0 to 2π as six decimals give them; less than the gap that a joint closes."""
 
 _SAME_ANGLE = 1e-12
-"""What turning a whole ellipse leaves between its angles; an arc so short has no length."""
+"""Angles that differ by rounding; an arc so short has no length."""
 
 _STRAIGHT = 1e-8
 """A bulge this small bends by less than its arc's coordinates, whose radius is chord / (4 bulge), are rounded."""
@@ -78,11 +78,17 @@ def _ellipse(entity: Any) -> tuple[list[Curve], list[float]]:
 
 
 def _turn(start: float, end: float) -> tuple[float, float]:
-    """The angles of an arc that runs counter-clockwise from start to end, once round where they are one."""
+    """The angles of an arc that runs counter-clockwise from start to end. Raises Unusable where they are one."""
     whole = 2.0 * np.pi
+    if abs(end - start - whole) <= _ONCE_ROUND:
+        return start, start + whole
     sweep = (end - start) % whole
-    full = abs(end - start - whole) <= _ONCE_ROUND or min(sweep, whole - sweep) <= _SAME_ANGLE
-    return start, start + (whole if full else sweep)
+    if min(sweep, whole - sweep) <= _SAME_ANGLE:
+        raise Unusable(
+            f"starts and ends at {np.degrees(start):.9g}°, which is nothing to some programs and once round to others; "
+            "draw a whole circle or ellipse, or delete it"
+        )
+    return start, start + sweep
 
 
 def _lwpolyline(entity: Any) -> tuple[list[Curve], list[float]]:
