@@ -172,6 +172,26 @@ def test_an_insert_stretched_one_way_makes_ellipses(tmp_path):
     assert type(section.loops[0].curves[0]) is EllipticArc
 
 
+def test_what_cannot_be_shown_of_a_block_is_counted_and_no_outline_is_lost(tmp_path, monkeypatch):
+    import ezdxf.entities
+
+    def draw(document, space):
+        block = document.blocks.new("PART")
+        block.add_text("M8")
+        block.add_circle((0, 0), 1)
+        space.add_blockref("PART", (2, 3))
+
+    def refuse(self, matrix):
+        raise NotImplementedError
+
+    path = dxf(tmp_path, draw)
+    monkeypatch.setattr(ezdxf.entities.Text, "transform", refuse)
+    assert drawings.read(path).passed_over == {"TEXT": 1}
+    monkeypatch.setattr(ezdxf.entities.Circle, "transform", refuse)
+    with pytest.raises(gw.FileError, match="a CIRCLE of the block 'PART' cannot be shown"):
+        gw.Section.load(path)
+
+
 def test_rows_and_columns_of_an_insert_are_copies(tmp_path):
     def draw(document, space):
         document.blocks.new("HOLE").add_circle((0, 0), 0.5)

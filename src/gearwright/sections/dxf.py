@@ -7,6 +7,7 @@ import re
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ..errors import FileError, MachineError
@@ -79,7 +80,18 @@ def _entities(tally: Tally, holder: Any, blocks: tuple[str, ...], layer: str | N
             continue
         for copy in entity.multi_insert() if entity.mcount > 1 else (entity,):
             tally.step()
-            yield from _entities(tally, copy.virtual_entities(), (*blocks, name), own)
+            shown = copy.virtual_entities(skipped_entity_callback=partial(_skipped, tally, name))
+            yield from _entities(tally, shown, (*blocks, name), own)
+
+
+def _skipped(tally: Tally, block: str, entity: Any, reason: str) -> None:
+    """Counts what ezdxf cannot show of a block. Raises FileError where it is an outline."""
+    kind = entity.dxftype()
+    if kind in OUTLINES or kind == "INSERT":
+        raise FileError(
+            f"{tally.source}: a {kind} of the block {block!r} cannot be shown ({reason}); explode the block"
+        )
+    tally.passed_over[kind] += 1
 
 
 def _document(source: str, data: bytes) -> Document:
