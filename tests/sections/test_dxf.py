@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 import gearwright as gw
 from gearwright.curves.arc import Arc
 from gearwright.curves.elliptic_arc import EllipticArc
+from gearwright.curves.line import Line
 from gearwright.sections import drawings
 
 from .drawn import dxf, polygon_moments, section_moments
@@ -122,6 +123,19 @@ def test_a_closed_spline_with_open_knots(tmp_path):
     t = np.linspace(3, n + 3, 20001)[:-1]
     np.testing.assert_allclose(section_moments(section), polygon_moments(spline(t)), rtol=1e-6, atol=1e-6)
     assert len(section.loops[0].curves) == n
+
+
+@pytest.mark.parametrize("weights", [None, [1, 2, 0.5, 1]])
+def test_a_spline_of_the_first_degree_is_lines(tmp_path, weights):
+    corners = [(0, 0), (4, 0), (1, 3), (0, 0)]
+
+    def draw(_, space):
+        spline = space.add_open_spline(corners, 1)
+        spline.weights = weights or []
+
+    section = load(tmp_path, draw)
+    assert section.moments[0, 0] == pytest.approx(6, rel=1e-14)
+    assert [type(c) for c in section.loops[0].curves] == [Line] * 3
 
 
 def test_a_circle_as_a_rational_spline(tmp_path):

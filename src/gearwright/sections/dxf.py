@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..errors import FileError, MachineError
 from .dxf_curves import OUTLINES, curves_of
 from .sheet import Sheet, Tally
@@ -132,8 +134,9 @@ def _refused(source: str) -> Iterator[None]:
 
 def _refuse_steps(source: str, heights: set[float]) -> None:
     """Outlines in different planes are no section; rounding is no difference."""
-    if heights and max(heights) - min(heights) > 1e-6 * max(1.0, *(abs(z) for z in heights)):
+    levels = np.array(sorted(heights))
+    if len(levels) and not np.ptp(levels) <= 1e-6 * max(1.0, float(np.max(np.abs(levels)))):
         raise FileError(
-            f"{source}: the outlines lie at heights from z = {min(heights):.9g} to {max(heights):.9g}; "
+            f"{source}: the outlines lie at heights from z = {levels[0]:.9g} to {levels[-1]:.9g}; "
             "a section lies in one plane z = constant: flatten the drawing first"
         )

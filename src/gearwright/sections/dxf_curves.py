@@ -151,7 +151,8 @@ def _spline(entity: Any) -> tuple[list[Curve], list[float]]:
     if not (np.all(np.isfinite(knots)) and np.all(np.diff(knots) >= 0.0) and knots[degree] < knots[len(control)]):
         raise Unusable(f"{start} has knots that do not ascend")
     spans = bspline_spans(degree, knots, control[:, :2], weights if len(weights) else None)
-    return list(spans), control[:, 2].tolist()
+    straight = [Line(first=span.control[0], last=span.control[1]) for span in spans if degree == 1]
+    return [*(straight or spans)], control[:, 2].tolist()
 
 
 _HIGHEST_DEGREE = 25
