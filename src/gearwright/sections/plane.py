@@ -121,7 +121,7 @@ class Section(LoopedSection):
         """
         from .drawings import read
 
-        return cls(loops=read(path, layer=layer).region(around))
+        return cls._simple(read(path, layer=layer).region(around))
 
     @cached_property
     def _frame(self) -> tuple[Array, float]:
