@@ -24,18 +24,26 @@ from gearwright.motions.along import Along
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
 from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.motion import Motion
+from gearwright.motions.placed import Placed
 from gearwright.motions.plane_quadrature import quadrature_moments
 from gearwright.motions.radial import Radial
 from gearwright.motions.revolution import FULL_TURN, Revolution
 from gearwright.motions.straight import Straight
 from gearwright.motions.transform import polynomial_transform, transform_of
 from gearwright.motions.transforming import Transforming
+from gearwright.placement import Placement
 from gearwright.sections.loop import Loop
 from gearwright.sections.plane import Section
 from gearwright.sections.sphere import SphericalSection
 from gearwright.solids.solid import flux_moments
 
 TURN = 2.0 * np.pi
+LEANING = Placement.of(
+    [[0.48, 0.64, 0.6], [-0.8, 0.6, 0.0], [-0.36, -0.48, 0.8]],  # rows of a rotation about no axis of the frame
+    (0.7, -1.9, 3.1),
+)
+OVERTURNED = Placement.of(np.diag([1.0, -1.0, -1.0]), (0.0, 0.0, 1.2))
+RAISED = Placement.of([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]], (0.0, 0.0, -2.0))
 
 
 def plane_section():
@@ -136,6 +144,17 @@ EXAMPLES = {
         Example(Revolution(), plane_section(), between(-0.4, 1.3)),
         Example(Revolution(), plane_section(), between(0.5, 4.5)),
         Example(Revolution(), plane_section(), between(-FULL_TURN, 0.0)),
+    ],
+    Placed: [
+        Example(Placed(motion=Extrusion(length=2.5, twist=0.8), placement=LEANING), plane_section(), between(0.0, 2.5)),
+        Example(Placed(motion=Straight(), placement=OVERTURNED), plane_section(), between(-0.7, 2.1)),
+        Example(Placed(motion=Straight(), placement=RAISED), plane_section(), between(-0.7, 2.1)),
+        Example(Placed(motion=Revolution(), placement=LEANING), plane_section(), between(0.5, 4.5)),
+        Example(
+            Placed(motion=Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), placement=LEANING),
+            spherical_section(),
+            between(2.0, 3.1),
+        ),
     ],
     Radial: [
         Example(Radial(trace=StraightTrace()), spherical_section(), between(2.0, 3.1)),

@@ -8,12 +8,15 @@ import numpy as np
 import pytest
 
 import gearwright.surfaces
+from gearwright.placement import Placement
+from gearwright.surfaces.placed import PlacedSurface, placed_surface
 from gearwright.surfaces.plane import Plane
 from gearwright.surfaces.sphere import Sphere
 from gearwright.surfaces.surface import Surface
 
 C, S = np.cos(0.7), np.sin(0.7)
 SLANTED = Plane(origin=(0.4, -1.1, 2.3), x_axis=(C, 0.0, -S), y_axis=(S * 0.6, 0.8, C * 0.6))
+LEANING = Placement.of([[0.48, 0.64, 0.6], [-0.8, 0.6, 0.0], [-0.36, -0.48, 0.8]], (0.7, -1.9, 3.1))
 
 EXAMPLES = {
     Plane: [
@@ -22,6 +25,10 @@ EXAMPLES = {
         SLANTED,
     ],
     Sphere: [Sphere(radius=1.0), Sphere(radius=2.6)],
+    PlacedSurface: [
+        PlacedSurface(surface=Sphere(radius=1.4), placement=LEANING),
+        PlacedSurface(surface=SLANTED, placement=LEANING),
+    ],
 }
 SURFACES = [pytest.param(s, id=f"{cls.__name__}-{i}") for cls, ss in EXAMPLES.items() for i, s in enumerate(ss)]
 SYMMETRIC = [Plane(origin=(0.0, 0.0, 1.7)), Sphere(radius=2.6)]

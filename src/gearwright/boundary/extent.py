@@ -14,6 +14,7 @@ from ..moments.quadrature import converged
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flux import loop_quadrature, patch_quadrature
+from .outlines import winding
 
 _GRID = 17  # samples a side of a patch in the search for its extremes
 _TO_ROUNDING = {"ftol": 1e-15, "gtol": 0.0, "maxiter": 200}
@@ -94,12 +95,13 @@ class _Candidates:
         image = int(np.unravel_index(np.argmax(heights), heights.shape)[0])
         direction = np.zeros(3)
         direction[axis] = -sign
-        # the image's coordinate is the sector's along the direction turned back
-        back = self.patch.pattern.images(np.eye(3))[image] @ direction
+        # the image's coordinate is the sector's along the direction turned back, and how far the image lies off
+        to_image = self.patch.pattern.image(int(image))
+        back, off = to_image.vectors_back(direction), float(to_image.shift @ direction)
 
         def height(uv: Array) -> tuple[float, Array]:
             du, dv = self.patch.partials(*uv)
-            return float(self.patch.point(*uv) @ back), np.array([du @ back, dv @ back])
+            return float(self.patch.point(*uv) @ back) + off, np.array([du @ back, dv @ back])
 
         found = [float(heights.max())]
         for start in _tops(heights[image].reshape(-1, _GRID), least):
@@ -126,28 +128,8 @@ def _tops(heights: Array, least: float) -> Indices:
 
 def _extremes_inside(cap: Cap) -> Iterator[Array]:
     """Points of a cap where its surface is extreme along a coordinate axis."""
-    loops = [cap.surface.chart(_sampled(cap, i)) for i in range(len(cap.loops))]
+    loops = [cap.surface.chart(loop.around(lambda _: _LOOP_SAMPLES)) for loop in cap.loops]
     for point in cap.surface.extremes():
-        around = sum(_winding(loop - cap.surface.chart(point)) for loop in loops)
-        if round(around) != 0:
+        around = sum(winding(cap.surface.chart(point), loop) for loop in loops)
+        if around != 0:
             yield point
-
-
-def _sampled(cap: Cap, i: int) -> Array:
-    """Points around one loop of a cap, in its sense."""
-    loop = cap.loops[i]
-    fractions = np.arange(_LOOP_SAMPLES) / _LOOP_SAMPLES
-    chain = [
-        use.edge.curve.point(use.edge.curve.parameter(1.0 - fractions if use.reverse else fractions))
-        for use in loop.uses
-    ]
-    points = loop.pattern.images(np.concatenate(chain))
-    in_order = points if loop.uses[-1].edge.end_turn >= 0 else np.roll(points[::-1], 1, axis=0)
-    around = in_order.reshape(-1, 3)
-    return around[::-1] if loop.reverse else around
-
-
-def _winding(offsets: Array) -> float:
-    """Turns of a closed polygon (n, 2) about the origin, whichever way it runs."""
-    z = offsets[:, 0] + 1j * offsets[:, 1]
-    return float(np.sum(np.angle(np.roll(z, -1) / z)) / (2.0 * np.pi))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +12,7 @@ from ..curves.curve import Curve
 from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..surfaces.surface import Surface
-from .edge import EdgeUse, motion_panels
+from .edge import Edge, EdgeUse, motion_panels
 from .pattern import ALONE, Pattern
 
 
@@ -74,6 +75,17 @@ class CapLoop:
     @property
     def pattern(self) -> Pattern:
         return self.uses[0].edge.pattern
+
+    def around(self, segments: Callable[[Edge], int]) -> Array:
+        """Points (n, 3) once around the loop in its sense, so many equal steps of each edge's parameter."""
+        chain = []
+        for use in self.uses:
+            fractions = np.arange(segments(use.edge)) / segments(use.edge)
+            chain.append(use.edge.curve.point(use.edge.curve.parameter(1.0 - fractions if use.reverse else fractions)))
+        images = self.pattern.images(np.concatenate(chain))
+        in_order = images if self.uses[-1].edge.end_turn >= 0 else np.roll(images[::-1], 1, axis=0)
+        around = in_order.reshape(-1, 3)
+        return around[::-1] if self.reverse else around
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -30,8 +30,8 @@ def boundary_flux(patches: Sequence[Patch], caps: Sequence[Cap], nodes: int) -> 
     matrix, vector, area = np.zeros((4, 4)), np.zeros(3), 0.0
     for patch in patches:
         points, area_vectors = patch_quadrature(patch, nodes)
-        matrix += patterned(flux_moments(points, area_vectors), patch.pattern.order)
-        vector += _turned_sum(area_vectors.sum(axis=0), patch.pattern)
+        matrix += _all_images(points, area_vectors, patch.pattern)
+        vector += patch.pattern.turned(area_vectors.sum(axis=0)[None]).sum(axis=(0, 1))
         area += patch.pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
     for cap in caps:
         for loop in cap.loops:
@@ -49,7 +49,7 @@ def loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
     senses = [-1.0 if use.reverse != loop.reverse else 1.0 for use in loop.uses]
     points = np.concatenate([p for p, _ in parts])
     tangents = np.concatenate([sense * t for sense, (_, t) in zip(senses, parts, strict=True)])
-    return loop.pattern.images(points).reshape(-1, 3), loop.pattern.images(tangents).reshape(-1, 3)
+    return loop.pattern.images(points).reshape(-1, 3), loop.pattern.turned(tangents).reshape(-1, 3)
 
 
 def patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
@@ -62,5 +62,8 @@ def patch_quadrature(patch: Patch, nodes: int) -> tuple[Array, Array]:
     return patch.point(u, v), patch.area_vector(u, v) * weights[:, None]
 
 
-def _turned_sum(vector: Array, pattern: Pattern) -> Array:
-    return vector if pattern.order == 1 else pattern.order * vector * np.array([0.0, 0.0, 1.0])
+def _all_images(points: Array, area_vectors: Array, pattern: Pattern) -> Array:
+    """Flux (4, 4) through all images of a sector of nodes (n, 3); about z it follows from that through one."""
+    if pattern.placement is None:
+        return patterned(flux_moments(points, area_vectors), pattern.order)
+    return flux_moments(pattern.images(points).reshape(-1, 3), pattern.turned(area_vectors).reshape(-1, 3))

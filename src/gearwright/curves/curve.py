@@ -121,16 +121,19 @@ def chain_quadrature(curves: Sequence[Curve], nodes: int) -> tuple[Array, Array]
 
 @dataclass(frozen=True, kw_only=True)
 class Mapped(Curve):
-    """A curve under the linear map p → A p: a rotation or a mirror image of it.
+    """A curve under the affine map p → A p + b: a rotation, a mirror image or a copy elsewhere of it.
 
     matrix   A (d, d), as nested tuples
+    offset   b (d,); empty for none
     """
 
     curve: Curve
     matrix: tuple[tuple[float, ...], ...]
+    offset: tuple[float, ...] = ()
 
     def point(self, u: ArrayLike) -> Array:
-        return self.curve.point(u) @ np.array(self.matrix).T
+        turned = self.curve.point(u) @ np.array(self.matrix).T
+        return turned + np.array(self.offset) if self.offset else turned
 
     def derivative(self, u: ArrayLike) -> Array:
         return self.curve.derivative(u) @ np.array(self.matrix).T
@@ -143,10 +146,12 @@ class Mapped(Curve):
         return self.curve.variation(u, v) @ np.array(self.matrix).T
 
 
-def mapped(curve: Curve, matrix: ArrayLike) -> Mapped:
-    """The curve under p → A p, for A (d, d)."""
+def mapped(curve: Curve, matrix: ArrayLike, offset: ArrayLike = ()) -> Mapped:
+    """The curve under p → A p + b, for A (d, d) and b (d,) or none."""
     rows = tuple(tuple(float(x) for x in row) for row in np.asarray(matrix))
-    return Mapped(interval=curve.interval, curve=curve, matrix=rows)
+    return Mapped(
+        interval=curve.interval, curve=curve, matrix=rows, offset=tuple(float(x) for x in np.asarray(offset))
+    )
 
 
 def turn(angle: float, dimension: int, *, mirrored: bool = False) -> Array:

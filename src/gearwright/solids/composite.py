@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 
@@ -11,19 +11,30 @@ from ..boundary.boundary import Boundary
 from ..boundary.gluing import Joint, glued
 from ..moments.body import BodyMoments, Method, about_centroid
 from ..moments.matrix import shifted
+from .interference import united
 from .solid import Solid
 
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Solid):
-    """Pieces that meet along joints and nowhere else. Moments add; glued faces vanish."""
+    """Pieces that meet along joints and nowhere else. Moments add; glued faces vanish.
+
+    joints   None: wherever plane faces of the pieces lie on one another, as found piece after piece
+
+    Raises GeometryError where the pieces overlap, or meet otherwise than the joints say.
+    """
 
     pieces: tuple[Solid, ...]
-    joints: tuple[Joint, ...]
+    joints: tuple[Joint, ...] | None = None
+
+    def __post_init__(self) -> None:
+        if self.joints is None:
+            _ = self.boundary
 
     @cached_property
     def boundary(self) -> Boundary:
-        return glued([piece.boundary for piece in self.pieces], self.joints)
+        boundaries = [piece.boundary for piece in self.pieces]
+        return reduce(united, boundaries) if self.joints is None else glued(boundaries, self.joints)
 
     @cached_property
     def moments(self) -> BodyMoments:

@@ -14,6 +14,7 @@ from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, ParameterError, Problem
 from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
+from ..placement import require_rotation
 from .extent import Extent
 from .principal import principal_axes
 
@@ -159,7 +160,7 @@ class MassProperties:
         The bounding box is kept where R only exchanges axes, else dropped: it does not follow from the box.
         Raises GeometryError if R is not a rotation (for mirroring and scaling, transform the body itself).
         """
-        matrix, shift = _rotation(rotation), _fixed(translation, (3,))
+        matrix, shift = require_rotation(rotation, _RIGID), _fixed(translation, (3,))
         return replace(
             self,
             centroid=matrix @ self.centroid + shift,
@@ -285,22 +286,6 @@ def _require_finite(values: dict[str, Any]) -> None:
     ]
     if problems:
         raise ParameterError("MassProperties", problems)
-
-
-def _rotation(rotation: ArrayLike) -> Array:
-    matrix = _fixed(rotation, (3, 3))
-    if not (np.abs(matrix @ matrix.T - np.eye(3)).max() < _RIGID and np.linalg.det(matrix) > 0.0):
-        raise GeometryError(
-            "A body cannot be moved by this matrix",
-            [
-                Problem(
-                    f"rotation = {matrix.tolist()}",
-                    "a right-handed rotation is needed: orthonormal rows, determinant +1; to mirror or scale,"
-                    " transform the body itself",
-                )
-            ],
-        )
-    return matrix
 
 
 def _combined_error(a: MassProperties, b: MassProperties, volume: float, second: Array) -> float:

@@ -8,13 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import ArrayLike
 from ..boundary.boundary import Boundary
 from ..boundary.extent import bounding_box, rough_diagonal, surface_area
 from ..boundary.flux import boundary_flux
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
+from ..errors import GeometryError, Problem
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.quadrature import converged
+from ..placement import ORTHONORMAL, Placement, require_rotation
 from .extent import Extent
 from .polyhedron import Polyhedron
 from .properties import MassProperties
@@ -57,6 +60,32 @@ class Solid(ABC):
     def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
         """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
         self.polyhedron(tolerance).save(path, length_unit=length_unit)
+
+    def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
+        """The solid moved by r → R r + t, R (3, 3) a rotation, t (3,).
+
+        Raises GeometryError if R is not a rotation or t not three finite lengths.
+        """
+        from .moved import Moved
+
+        matrix = require_rotation(rotation, ORTHONORMAL)
+        shift = np.array(translation, dtype=float)
+        if shift.shape != (3,) or not np.all(np.isfinite(shift)):
+            wanted = "three finite lengths are needed"
+            raise GeometryError("A body cannot be moved so", [Problem(f"translation = {translation}", wanted)])
+        return Moved(solid=self, placement=Placement.of(matrix, shift))
+
+    def __add__(self, other: Solid) -> Solid:
+        """Both solids as one, glued wherever plane faces of theirs lie on one another.
+
+        The faces' borders must be the same there, or one strictly inside the other. Raises GeometryError saying
+        where if they are not, or if the solids overlap or touch in another way.
+        """
+        if not isinstance(other, Solid):
+            return NotImplemented
+        from .composite import Composite
+
+        return Composite(pieces=(self, other))
 
 
 def _extent(solid: Solid) -> Extent:

@@ -10,7 +10,7 @@ from ..arrays import Array
 from ..moments.boundary_integral import moment_matrix_2d, plane_moments
 from ..moments.flux import BY_ORDER
 from ..moments.matrix import affine
-from .surface import Surface
+from .surface import AXES, Surface
 
 _ORTHONORMAL = 1e-12
 
@@ -48,7 +48,8 @@ class Plane(Surface):
     def area(self, points: Array, tangents: Array) -> float:
         return float(plane_moments(self.chart(points), tangents @ self._axes.T)[0, 0])
 
-    def extremes(self) -> Array:
+    def extremes(self, directions: Array = AXES) -> Array:
+        del directions
         return np.empty((0, 3))
 
     def flux(self, points: Array, tangents: Array) -> Array:

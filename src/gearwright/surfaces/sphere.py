@@ -10,7 +10,9 @@ from ..arrays import Array
 from ..moments.flux import BY_ORDER
 from ..moments.matrix import moment_matrix
 from ..moments.quadrature import gauss_legendre
-from .surface import Surface
+from .surface import AXES, Surface
+
+_LOWEST = -1.0 + 1e-9  # of a unit vector's z: below it lies −z but for rounding
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,9 +41,10 @@ class Sphere(Surface):
     def area(self, points: Array, tangents: Array) -> float:
         return float(self.radius**2 * _polar_integrals(points / self.radius, tangents / self.radius)[0, 0])
 
-    def extremes(self) -> Array:
+    def extremes(self, directions: Array = AXES) -> Array:
         """On every axis but −z, which no face contains."""
-        return self.radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1]])
+        points = np.stack([directions, -directions], axis=1).reshape(-1, 3)
+        return self.radius * points[points[:, 2] > _LOWEST]
 
     def flux(self, points: Array, tangents: Array) -> Array:
         region = _polar_integrals(points / self.radius, tangents / self.radius)

@@ -5,7 +5,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..arrays import Array
+
+AXES: Array = np.eye(3)
+"""The directions of the coordinates."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +41,8 @@ class Surface(ABC):
         """Area of the face, negative where its loops run clockwise in the chart; arguments as for flux."""
 
     @abstractmethod
-    def extremes(self) -> Array:
-        """Points (n, 3) at which a coordinate is stationary on the whole surface."""
+    def extremes(self, directions: Array = AXES) -> Array:
+        """Points (n, 3) at which the coordinate along one of some unit vectors (k, 3) is stationary on the surface."""
 
     @abstractmethod
     def flux(self, points: Array, tangents: Array) -> Array:

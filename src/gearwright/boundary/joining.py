@@ -1,0 +1,88 @@
+"""One boundary of two bodies that lie against each other with plane faces, or apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+from .boundary import Boundary
+from .contact import Contact, contacts, facing
+from .edge import Edge, EdgeUse, Vertex
+from .extent import rough_diagonal
+from .faces import Cap, CapLoop, Patch
+from .flat import FlatFace, flat_faces
+from .matching import EdgeMatch
+from .placed import written_out
+
+Face = TypeVar("Face", Cap, Patch)
+
+
+def joined(first: Boundary, second: Boundary) -> tuple[Boundary, list[Contact]]:
+    """The boundary of both bodies, glued wherever plane faces of theirs lie on one another, and where that is.
+
+    Glued faces vanish and leave what is not covered; loops that coincide become one. Patterns are written out
+    where they do not go with the gluing. Raises GeometryError where the faces cannot be glued.
+    """
+    size = max(rough_diagonal(first), rough_diagonal(second))
+    ours, theirs = flat_faces(first), flat_faces(second)
+    pairs = facing(ours, theirs, size)
+    ours_out = any(not ours[i].loops for i, _ in pairs)
+    theirs_out = any(not theirs[j].loops for _, j in pairs)
+    if ours_out or theirs_out:
+        return joined(written_out(first) if ours_out else first, written_out(second) if theirs_out else second)
+    found = contacts(ours, theirs, pairs, size)
+    shared = [match for contact in found for match in contact.shared]
+    if not all(match.plain for match in shared) and _patterned(first, second):
+        return joined(written_out(first), written_out(second))
+    removed = {face for contact in found for face in contact.removed}
+    renamed = _Renamed(shared)
+    patches = [*_without(first.patches, removed), *map(renamed.patch, _without(second.patches, removed))]
+    caps = [*_without(first.caps, removed), *map(renamed.cap, _without(second.caps, removed))]
+    left = [renamed.cap(cap) for contact in found for cap in contact.caps]
+    whole = Boundary(patches=tuple(patches), caps=(*caps, *left))
+    return whole, found
+
+
+def _patterned(*boundaries: Boundary) -> bool:
+    return any(edge.pattern.order > 1 for boundary in boundaries for edge in boundary.edges)
+
+
+def _without(faces: Sequence[Face], removed: set[Cap | Patch]) -> list[Face]:
+    return [face for face in faces if face not in removed]
+
+
+class _Renamed:
+    """The second body's faces with the first one's edges and vertices where they coincide."""
+
+    def __init__(self, shared: Sequence[EdgeMatch]):
+        self._shared = {match.second: match for match in shared}
+        self._vertices: dict[Vertex, Vertex] = {}
+        for match in shared:
+            ends = (match.first.end, match.first.start) if match.reverse else (match.first.start, match.first.end)
+            self._vertices[match.second.start], self._vertices[match.second.end] = ends
+        self._edges: dict[Edge, Edge] = {}
+
+    def _edge(self, edge: Edge) -> Edge:
+        if edge.start not in self._vertices and edge.end not in self._vertices:
+            return edge
+        if edge not in self._edges:
+            start, end = (self._vertices.get(vertex, vertex) for vertex in (edge.start, edge.end))
+            self._edges[edge] = replace(edge, start=start, end=end)
+        return self._edges[edge]
+
+    def _use(self, use: EdgeUse) -> EdgeUse:
+        match = self._shared.get(use.edge)
+        if match is None:
+            return replace(use, edge=self._edge(use.edge))
+        return EdgeUse(edge=match.first, reverse=use.reverse != match.reverse, turn=use.turn)
+
+    def patch(self, patch: Patch) -> Patch:
+        first, right, second, left = map(self._use, patch.sides)
+        return replace(patch, sides=(first, right, second, left))
+
+    def cap(self, cap: Cap) -> Cap:
+        return replace(cap, loops=tuple(self._loop(loop) for loop in cap.loops))
+
+    def _loop(self, loop: CapLoop) -> CapLoop:
+        return replace(loop, uses=tuple(map(self._use, loop.uses)))
