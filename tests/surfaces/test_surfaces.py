@@ -9,7 +9,7 @@ import pytest
 
 import gearwright.surfaces
 from gearwright.placement import Placement
-from gearwright.surfaces.placed import PlacedSurface, placed_surface
+from gearwright.surfaces.placed import PlacedSurface
 from gearwright.surfaces.plane import Plane
 from gearwright.surfaces.sphere import Sphere
 from gearwright.surfaces.surface import Surface

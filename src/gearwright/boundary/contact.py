@@ -28,6 +28,7 @@ APART = 1e-6
 """Distance, relative to the larger body, beyond which places are certainly two. In between nobody can have meant it."""
 _SAGS = (1e-3, 1e-5, 2e-7)  # of the larger body: chords of the outlines compared, finer while they decide nothing
 _OPPOSED = 1e-8  # |n + n′| of the normals of two faces that lie on one another
+_ROUGH = 0.1  # of the larger body: by how much the few points of an outline may fall short of it
 HEADLINE = "The solids cannot be added"
 
 
@@ -35,11 +36,13 @@ HEADLINE = "The solids cannot be added"
 class Contact:
     """One plane in which faces of two bodies lie on one another.
 
+    plane     that plane
     removed   faces, caps or patches, that vanish as they are
     caps      what is left of them
     shared    edges of the second body that are edges of the first
     """
 
+    plane: Plane
     removed: tuple[Cap | Patch, ...]
     caps: tuple[Cap, ...]
     shared: tuple[EdgeMatch, ...]
@@ -55,7 +58,7 @@ def facing(first: Sequence[FlatFace], second: Sequence[FlatFace], size: float) -
     opposed = np.linalg.norm(normals[:, None] + others, axis=2) < _OPPOSED
     level = np.abs(np.einsum("ijk,ik->ij", marks - points[:, None], normals)) <= near
     pairs = [(int(i), int(j)) for i, j in np.argwhere(opposed & level)]
-    return [(i, j) for i, j in pairs if _boxes_meet(first[i].outline, second[j].outline, APART * size)]
+    return [(i, j) for i, j in pairs if _boxes_meet(first[i].outline, second[j].outline, _ROUGH * size)]
 
 
 def contacts(
@@ -132,6 +135,7 @@ class _Plane:
             chosen = [a for a in left if (a.side == side) != bool(inside[a])]
             caps += _caps(names, chosen, polygons, 1.0 if side == 0 else -1.0)
         return Contact(
+            plane=self._plane,
             removed=tuple(dict.fromkeys(face.face for side in self._sides for face in side if face in touched)),
             caps=tuple(caps),
             shared=tuple(shared),
@@ -166,7 +170,7 @@ class _Plane:
 
     def _polygons(self, same: set[_Outline]) -> dict[_Outline, Array]:
         """The loops as polygons fine enough to tell them apart. Raises GeometryError where they cross or touch."""
-        sags = {a: _SAGS[0] for a in self._outlines}
+        sags = dict.fromkeys(self._outlines, _SAGS[0])
         for a in (a for a in self._outlines if a.side == 0):
             for b in (b for b in self._outlines if b.side == 1):
                 if not (a in same and b in same):
@@ -219,9 +223,7 @@ def _caps(name: str, outlines: Sequence[_Outline], polygons: dict[_Outline, Arra
         # the smallest loop around it, which is larger than the hole: an island inside the hole is not
         around = [a for a in outer if areas[a] > -areas[hole] and winding(polygons[hole][0], polygons[a])]
         holes[around[0]].append(hole)
-    return [
-        Cap(name=name, surface=a.face.surface, loops=(a.loop, *(hole.loop for hole in holes[a]))) for a in outer
-    ]
+    return [Cap(name=name, surface=a.face.surface, loops=(a.loop, *(hole.loop for hole in holes[a]))) for a in outer]
 
 
 def _boxes_meet(one: Array, other: Array, margin: float) -> bool:

@@ -17,7 +17,7 @@ from .triangulation import signed_area
 _SAMPLES = 16  # a curve, for its curvature and the rough outline of a face
 _STRAIGHT = 1e-9  # of a patch's extent: how far off its plane a patch may be and still count as flat
 _PARALLEL = 1e-8  # sine of the angle between its normals
-_GRID = np.meshgrid(np.linspace(0.0, 1.0, 5), np.linspace(0.0, 1.0, 5))
+_GRID = np.meshgrid(np.linspace(0.0, 1.0, 9), np.linspace(0.0, 1.0, 9))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -25,7 +25,7 @@ class FlatFace:
     """A plane face: the cap or patch it is, its loops as those of a cap, its plane and outward normal (3,).
 
     loops     empty for a face of a patch with a pattern, whose images lie on planes of their own
-    outline   (n, 3) points along its border
+    outline   (n, 3) points of it that show roughly where it is
     """
 
     face: Cap | Patch
@@ -79,20 +79,18 @@ def _of_patch(patch: Patch) -> list[FlatFace]:
     bent = np.any(astray > _PARALLEL * np.max(np.linalg.norm(areas, axis=1)))
     if bent or np.max(np.abs((points - points[0]) @ normal)) > _STRAIGHT * extent:
         return []
-    loops = _loops(patch)
-    if not loops:
+    if patch.pattern.order == 1 and not _loops(patch):
         return []
     along = points[int(np.argmax(np.linalg.norm(points - points[0], axis=1)))] - points[0]
     along -= normal * (along @ normal)
     along /= np.linalg.norm(along)
-    outline = np.concatenate([loop.around(lambda _: _SAMPLES) for loop in loops])
     return [
         FlatFace(
             face=patch,
-            loops=loops if patch.pattern.order == 1 else (),
+            loops=_loops(patch) if patch.pattern.order == 1 else (),
             surface=_plane(turned.points(points[0]), turned.vectors(along), turned.vectors(normal)),
             normal=turned.vectors(normal),
-            outline=turned.points(outline),
+            outline=turned.points(points),
         )
         for turned in (patch.pattern.image(k) for k in range(patch.pattern.order))
     ]

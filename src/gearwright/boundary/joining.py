@@ -7,13 +7,15 @@ from dataclasses import replace
 from typing import TypeVar
 
 from .boundary import Boundary
-from .contact import Contact, contacts, facing
+from .contact import COINCIDENT, Contact, contacts, facing
 from .edge import Edge, EdgeUse, Vertex
 from .extent import rough_diagonal
 from .faces import Cap, CapLoop, Patch
 from .flat import FlatFace, flat_faces
 from .matching import EdgeMatch
 from .placed import written_out
+from .refinement import cuts_at_corners
+from .splitting import split
 
 Face = TypeVar("Face", Cap, Patch)
 
@@ -31,6 +33,9 @@ def joined(first: Boundary, second: Boundary) -> tuple[Boundary, list[Contact]]:
     theirs_out = any(not theirs[j].loops for _, j in pairs)
     if ours_out or theirs_out:
         return joined(written_out(first) if ours_out else first, written_out(second) if theirs_out else second)
+    refined = _refined(first, second, [ours[i] for i, _ in pairs], [theirs[j] for _, j in pairs], COINCIDENT * size)
+    if refined is not None:
+        return joined(*refined)
     found = contacts(ours, theirs, pairs, size)
     shared = [match for contact in found for match in contact.shared]
     if not all(match.plain for match in shared) and _patterned(first, second):
@@ -42,6 +47,28 @@ def joined(first: Boundary, second: Boundary) -> tuple[Boundary, list[Contact]]:
     left = [renamed.cap(cap) for contact in found for cap in contact.caps]
     whole = Boundary(patches=tuple(patches), caps=(*caps, *left))
     return whole, found
+
+
+def _refined(
+    first: Boundary, second: Boundary, ours: Sequence[FlatFace], theirs: Sequence[FlatFace], near: float
+) -> tuple[Boundary, Boundary] | None:
+    """Both boundaries with corners wherever one has corners on a border of the other; None where they have them."""
+    loops, others = ([loop for face in dict.fromkeys(faces) for loop in face.loops] for faces in (ours, theirs))
+    cuts, other_cuts = cuts_at_corners(loops, others, near), cuts_at_corners(others, loops, near)
+    if not cuts and not other_cuts:
+        return None
+    if _patterned(first, second):
+        return written_out(first), written_out(second)
+    return split(_capped(first, ours), cuts), split(_capped(second, theirs), other_cuts)
+
+
+def _capped(boundary: Boundary, faces: Sequence[FlatFace]) -> Boundary:
+    """The boundary with plane patches as caps, which stay whole when their edges are cut."""
+    caps = {face.face: Cap(name=face.name, surface=face.surface, loops=face.loops) for face in faces}
+    return Boundary(
+        patches=tuple(patch for patch in boundary.patches if patch not in caps),
+        caps=(*boundary.caps, *(cap for face, cap in caps.items() if isinstance(face, Patch))),
+    )
 
 
 def _patterned(*boundaries: Boundary) -> bool:

@@ -19,9 +19,9 @@ def nearest_approach(one: Array, other: Array) -> tuple[float, Array]:
 
 
 def winding(point: Array, polygon: Array) -> int:
-    """Turns of a closed polygon (n, 2) about a point (2,) off it, counter-clockwise positive."""
+    """Turns of a closed polygon (n, 2) about a point (2,), counter-clockwise positive; on the polygon, either."""
     z = (polygon - point) @ np.array([1.0, 1.0j])
-    return round(float(np.sum(np.angle(np.roll(z, -1) / z)) / (2.0 * np.pi)))
+    return round(float(np.sum(np.angle(np.roll(z, -1) * z.conj())) / (2.0 * np.pi)))
 
 
 def _least(points: Array, polygon: Array) -> tuple[float, Array]:

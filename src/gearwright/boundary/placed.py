@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
-
-import numpy as np
+from dataclasses import replace
 
 from ..curves.curve import Curve, mapped
 from ..curves.line import Line
@@ -33,9 +30,7 @@ def written_out(boundary: Boundary) -> Boundary:
         return boundary
     images = _Images()
     return Boundary(
-        patches=tuple(
-            images.patch(patch, k) for patch in boundary.patches for k in range(patch.pattern.order)
-        ),
+        patches=tuple(images.patch(patch, k) for patch in boundary.patches for k in range(patch.pattern.order)),
         caps=tuple(replace(cap, loops=tuple(images.loop(loop) for loop in cap.loops)) for cap in boundary.caps),
     )
 

@@ -149,9 +149,7 @@ class Mapped(Curve):
 def mapped(curve: Curve, matrix: ArrayLike, offset: ArrayLike = ()) -> Mapped:
     """The curve under p → A p + b, for A (d, d) and b (d,) or none."""
     rows = tuple(tuple(float(x) for x in row) for row in np.asarray(matrix))
-    return Mapped(
-        interval=curve.interval, curve=curve, matrix=rows, offset=tuple(float(x) for x in np.asarray(offset))
-    )
+    return Mapped(interval=curve.interval, curve=curve, matrix=rows, offset=tuple(float(x) for x in np.asarray(offset)))
 
 
 def turn(angle: float, dimension: int, *, mirrored: bool = False) -> Array:

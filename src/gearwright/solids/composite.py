@@ -39,7 +39,8 @@ class Composite(Solid):
     @cached_property
     def moments(self) -> BodyMoments:
         parts = [piece.moments for piece in self.pieces]
-        origin = parts[0].origin
+        volumes = np.array([part.volume for part in parts])
+        origin = volumes @ np.array([part.centroid for part in parts]) / volumes.sum()
         matrix = np.sum([shifted(part.matrix, part.origin - origin) for part in parts], axis=0)
         method: Method = "exact" if all(part.method == "exact" for part in parts) else "quadrature"
         return about_centroid(matrix, method, max(part.error_bound for part in parts), origin)

@@ -1,11 +1,130 @@
-"""Whether two bodies overlap or touch otherwise than with the plane faces along which they are glued."""
+"""Whether two bodies overlap, or touch otherwise than with the plane faces along which they are glued."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Array, Indices
 from ..boundary.boundary import Boundary
+from ..boundary.contact import APART, COINCIDENT, HEADLINE, Contact
+from ..boundary.extent import rough_diagonal
 from ..boundary.joining import joined
+from ..boundary.nearness import Skin
+from ..boundary.sampling import sampling
+from ..boundary.tessellation import tessellate
+from ..errors import GeometryError, Problem
+from ..moments.components import winding_number
+
+_COARSE = 2e-3  # chord tolerance, relative to a body's diagonal, of the polyhedra that are searched
+_MOST_PAIRS = 4_000_000  # points × triangles looked at: a second or so
+_REACH = 0.05  # of the larger body: how far off the other body's box a patch is still looked at between its points
+_IN_PLANE = 10.0 * COINCIDENT  # of the larger body: points of a plane in which the bodies are glued
 
 
 def united(first: Boundary, second: Boundary) -> Boundary:
-    whole, _ = joined(first, second)
+    """The boundary of two bodies that lie apart or against each other with plane faces.
+
+    Raises GeometryError saying where, if they overlap or touch in another way. Overlaps are found by points all
+    over either skin that lie in the other body: a thin bar through a thin wall can pass between them.
+    """
+    whole, found = joined(first, second)
+    bodies = _Body(first), _Body(second)
+    problem = _interference(*bodies, found, "first", "second") or _interference(*bodies[::-1], found, "second", "first")
+    if problem:
+        raise GeometryError(HEADLINE, [problem])
     return whole
+
+
+@dataclass(frozen=True)
+class _Body:
+    boundary: Boundary
+
+    @cached_property
+    def diagonal(self) -> float:
+        return rough_diagonal(self.boundary)
+
+    @property
+    def tolerance(self) -> float:
+        return _COARSE * self.diagonal
+
+    @cached_property
+    def skin(self) -> Skin:
+        return Skin.of(self.boundary)
+
+    @cached_property
+    def polyhedron(self) -> tuple[Array, Indices]:
+        return tessellate(self.boundary, sampling(self.boundary, self.tolerance))
+
+    @cached_property
+    def points(self) -> Array:
+        """Points (n, 3) of the true surface all over it."""
+        return np.concatenate([self.skin.points, self.polyhedron[0]])
+
+    @cached_property
+    def box(self) -> Array:
+        return np.stack([self.points.min(axis=0) - self.tolerance, self.points.max(axis=0) + self.tolerance])
+
+
+def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str, other_name: str) -> Problem | None:
+    """What is wrong with where points of a body's surface lie against another body."""
+    size = max(body.diagonal, other.diagonal)
+    sag = other.tolerance / 100.0
+    points = _outside(body.points[_in_box(body.points, other.box)], found, size)
+    vertices, triangles = other.polyhedron
+    points = points[:: 1 + len(points) * len(triangles) // _MOST_PAIRS]
+    points = np.concatenate([points, _nearest(body.skin, other, found, size)])
+    if not len(points):
+        return None
+    distance = other.skin.signed_distance(points, sag)
+    touching = np.abs(distance) <= APART * size
+    if touching.any():
+        where = _place(points[int(np.argmax(touching))])
+        return Problem(
+            f"the {name} touches the {other_name} near {where}",
+            "solids can only be glued along plane faces whose borders are the same or nested; leave a gap, or make"
+            " the piece as one section",
+        )
+    near = 2.0 * other.tolerance
+    inside = (distance < 0.0) & (np.abs(distance) <= near)
+    for i in np.flatnonzero(np.abs(distance) > near):
+        inside[i] = winding_number(points[i], vertices, triangles) > 0.5
+        if inside[i]:
+            break
+    if not inside.any():
+        return None
+    where = _place(points[int(np.argmax(inside))])
+    return Problem(
+        f"the {name} overlaps the {other_name} near {where}",
+        "only solids that lie apart or against each other can be added; move one of them, or check its length unit",
+    )
+
+
+def _nearest(skin: Skin, other: _Body, found: Sequence[Contact], size: float) -> Array:
+    """Places (n, 3) where free patches of a skin come nearest to another body: tangents lie between the points."""
+    flat = np.any([contact.plane.deviation(skin.points) <= _IN_PLANE * size for contact in found], axis=0)
+    faces = skin.owners * (1 + skin.images.max()) + skin.images
+    glued = np.isin(faces, faces[flat]) if found else np.zeros(len(faces), bool)
+    reach = np.array([[-_REACH], [_REACH]]) * size
+    eligible = np.flatnonzero(~glued & _in_box(skin.points, other.box + reach))
+    if not len(eligible):
+        return np.empty((0, 3))
+    return skin.nearest_to(other.skin, eligible, other.tolerance / 100.0)[0]
+
+
+def _outside(points: Array, found: Sequence[Contact], size: float) -> Array:
+    """Those of some points (n, 3) that lie in no plane in which the bodies are glued."""
+    for contact in found:
+        points = points[contact.plane.deviation(points) > _IN_PLANE * size]
+    return points
+
+
+def _in_box(points: Array, box: Array) -> Array:
+    return np.all((points >= box[0]) & (points <= box[1]), axis=1)
+
+
+def _place(point: Array) -> str:
+    return "(" + ", ".join(f"{x:.6g}" for x in point) + ")"

@@ -72,7 +72,7 @@ class Solid(ABC):
         shift = np.array(translation, dtype=float)
         if shift.shape != (3,) or not np.all(np.isfinite(shift)):
             wanted = "three finite lengths are needed"
-            raise GeometryError("A body cannot be moved so", [Problem(f"translation = {translation}", wanted)])
+            raise GeometryError("A body cannot be moved so", [Problem(f"translation = {shift.tolist()}", wanted)])
         return Moved(solid=self, placement=Placement.of(matrix, shift))
 
     def __add__(self, other: Solid) -> Solid:

@@ -1,0 +1,152 @@
+"""How far points are from the true surface of a body, and on which side of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..arrays import Array, Indices
+from .boundary import Boundary
+from .faces import Cap, Patch
+from .flat import segments_for
+from .outlines import winding
+
+_GRID = 9  # samples a side of a patch
+_NEAREST = 4  # samples from which a point's foot is searched
+_STEPS = 12  # of Gauss–Newton; it is quadratic where the surface is nearer than its radius of curvature
+_MOST_STARTS = 6  # patches from which places of least distance are searched
+_SHRINKAGES = 13  # halvings of the grids on which they are: the last is 1/65536 of a patch wide
+_STAR = np.stack(np.meshgrid(*2 * [np.linspace(-1.0, 1.0, 5)]), axis=-1).reshape(-1, 2)
+
+
+@dataclass(frozen=True, eq=False)
+class Skin:
+    """A body's boundary with points all over its patches, in every image.
+
+    points (n, 3) of patch `owners` (n,) in image `images` (n,) at fractions (n, 2)
+    """
+
+    boundary: Boundary
+    points: Array
+    owners: Indices
+    images: Indices
+    fractions: Array
+
+    @classmethod
+    def of(cls, boundary: Boundary) -> Skin:
+        side = np.linspace(0.0, 1.0, _GRID)
+        grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+        clouds, owners, images = [], [], []
+        for i, patch in enumerate(boundary.patches):
+            order = patch.pattern.order
+            clouds.append(patch.pattern.images(patch.point(*grid.T)).reshape(-1, 3))
+            owners.append(np.full(order * len(grid), i))
+            images.append(np.repeat(np.arange(order), len(grid)))
+        fractions = np.tile(grid, (sum(map(len, clouds)) // len(grid), 1))
+        return cls(boundary, np.concatenate(clouds), np.concatenate(owners), np.concatenate(images), fractions)
+
+    def nearest_to(self, other: Skin, eligible: Array, sag: float) -> tuple[Array, Array]:
+        """Places (k, 3) on this body's patches that come locally nearest to another body, and signed distances (k,).
+
+        Searched from the nearest points (indices) of up to so many patches, on grids that shrink around the best.
+        """
+        starts = self._starts(other, eligible, sag)
+        at, width = self.fractions[starts], np.full(len(starts), 1.0 / (_GRID - 1))
+        places, found = self.points[starts], np.full(len(starts), np.inf)
+        for _ in range(_SHRINKAGES):
+            tried = np.clip(at[:, None, :] + width[:, None, None] * _STAR, 0.0, 1.0)
+            points = np.stack([self._placed(start, uv) for start, uv in zip(starts, tried, strict=True)])
+            distances = other.signed_distance(points.reshape(-1, 3), sag).reshape(points.shape[:2])
+            best = np.argmin(distances, axis=1)
+            rows = np.arange(len(starts))
+            at, places, found = tried[rows, best], points[rows, best], distances[rows, best]
+            width = width / 2.0
+        return places, found
+
+    def _starts(self, other: Skin, eligible: Array, sag: float) -> Indices:
+        """The nearest points, by number, to another body of those few patches that have the nearest."""
+        distances = other.signed_distance(self.points[eligible], sag)
+        order = eligible[np.argsort(distances)]
+        faces = self.owners[order] * (1 + self.images.max()) + self.images[order]
+        _, first = np.unique(faces, return_index=True)
+        return order[np.sort(first)][:_MOST_STARTS]
+
+    def _placed(self, start: int, fractions: Array) -> Array:
+        """Points (n, 3) at fractions (n, 2) of the patch and image that a point belongs to."""
+        patch = self.boundary.patches[self.owners[start]]
+        return patch.pattern.image(int(self.images[start])).points(patch.point(*fractions.T))
+
+    @cached_property
+    def _tree(self) -> cKDTree:
+        return cKDTree(self.points)
+
+    def signed_distance(self, points: Array, sag: float) -> Array:
+        """Distance (n,) of points (n, 3) from the surface: negative inside, for points near it.
+
+        Next to an edge, where the foot is no foot of a perpendicular, a point counts as outside.
+        sag   of the chords of caps' borders, to tell what lies over a cap
+        """
+        found = np.full(len(points), np.inf)
+        for nearest in self._tree.query(points, k=min(_NEAREST, len(self.points)))[1].T:
+            keys = np.stack([self.owners[nearest], self.images[nearest]], axis=1)
+            for owner, image in np.unique(keys, axis=0):
+                chosen = np.flatnonzero((keys == [owner, image]).all(axis=1))
+                patch = self.boundary.patches[owner]
+                local = patch.pattern.image(int(image)).points_back(points[chosen])
+                distance = _from_patch(patch, local, self.fractions[nearest[chosen]])
+                found[chosen] = _nearer(found[chosen], distance)
+        for cap in self.boundary.caps:
+            found = _nearer(found, _from_cap(cap, points, sag))
+        return found
+
+
+def _nearer(one: Array, other: Array) -> Array:
+    return np.where(np.abs(other) < np.abs(one), other, one)
+
+
+def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
+    """Signed distance (n,) of points (n, 3) from a patch, their feet searched from fractions (n, 2)."""
+    at = start.copy()
+    for _ in range(_STEPS):
+        du, dv = patch.partials(*at.T)
+        off = points - patch.point(*at.T)
+        uu, uv, vv = (np.sum(a * b, axis=1) for a, b in ((du, du), (du, dv), (dv, dv)))
+        u, v = np.sum(off * du, axis=1), np.sum(off * dv, axis=1)
+        determinant = uu * vv - uv * uv
+        determinant = np.where(determinant > 1e-14 * uu * vv, determinant, np.inf)
+        step = np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
+        at = np.clip(at + step, 0.0, 1.0)
+    off = points - patch.point(*at.T)
+    distance = np.linalg.norm(off, axis=1)
+    normal = patch.area_vector(*at.T)
+    length = np.linalg.norm(normal, axis=1)
+    along = np.sum(off * normal, axis=1)
+    square = np.abs(along) > 0.999 * length * distance
+    return np.where(square & (along < 0.0), -distance, distance)
+
+
+def _from_cap(cap: Cap, points: Array, sag: float) -> Array:
+    """Signed distance (n,) of points (n, 3) from a cap; infinite where they do not lie over it."""
+    polygons = [cap.surface.chart(loop.around(segments_for(sag))) for loop in cap.loops]
+    result = np.full(len(points), np.inf)
+    low, high = (f([f(p, axis=0) for p in polygons], axis=0) for f in (np.min, np.max))
+    charts = cap.surface.chart(points)
+    over = np.all((charts >= low) & (charts <= high), axis=1)
+    for i in np.flatnonzero(over):
+        turns = sum(winding(charts[i], polygon) for polygon in polygons)
+        if turns:
+            foot = cap.surface.point(charts[i])
+            off = points[i] - foot
+            normal = turns * _normal(cap, charts[i])
+            result[i] = np.linalg.norm(off) * (1.0 if off @ normal >= 0.0 else -1.0)
+    return result
+
+
+def _normal(cap: Cap, chart: Array) -> Array:
+    """A vector (3,) along the surface's own normal at a point of the chart."""
+    h = 1e-4 * (1.0 + float(np.max(np.abs(chart))))
+    a, b = (cap.surface.point(chart + step) - cap.surface.point(chart - step) for step in h * np.eye(2))
+    return np.cross(a, b)
