@@ -59,6 +59,7 @@ EXAMPLES = {
         mapped(Involute(base_radius=2.0, interval=(0.1, 1.1)), SHEARED_MIRROR),
         mapped(Arc(radius=1.5, interval=(0.2, 1.0)), turn(0.7, 2, mirrored=True)).reversed(),
         mapped(SphericalInvolute(base_cone_angle=0.7, interval=(0.3, 2.0)), turn(-1.9, 3, mirrored=True)),
+        mapped(Involute(base_radius=2.0, interval=(0.1, 1.1)), SHEARED_MIRROR, (3.0, -0.7)),
     ],
 }
 CURVES = [pytest.param(c, id=f"{cls.__name__}-{i}") for cls, cs in EXAMPLES.items() for i, c in enumerate(cs)]
@@ -213,6 +214,12 @@ class TestMapped:
         for u in (0.1, 0.6, 1.1):
             x, y = involute.point(u)
             np.testing.assert_allclose(image.point(u), [0.8 * x + 0.3 * y, 0.5 * x - 1.1 * y], atol=1e-15)
+
+    def test_an_offset_is_added_to_points_and_to_nothing_else(self):
+        involute = Involute(base_radius=2.0, interval=(0.1, 1.1))
+        image, shifted = mapped(involute, SHEARED_MIRROR), mapped(involute, SHEARED_MIRROR, (3.0, -0.7))
+        np.testing.assert_allclose(shifted.point(0.6) - image.point(0.6), [3.0, -0.7], atol=1e-15)
+        np.testing.assert_array_equal(shifted.derivative(0.6), image.derivative(0.6))
 
     def test_a_turn_adds_to_the_azimuth(self):
         for dimension in (2, 3):

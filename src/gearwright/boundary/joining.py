@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeVar
 
 from .boundary import Boundary
@@ -20,11 +21,34 @@ from .splitting import split
 Face = TypeVar("Face", Cap, Patch)
 
 
-def joined(first: Boundary, second: Boundary) -> tuple[Boundary, list[Contact]]:
-    """The boundary of both bodies, glued wherever plane faces of theirs lie on one another, and where that is.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Meeting:
+    """Two bodies cut to fit each other, and the planes in which faces of theirs lie on one another."""
 
-    Glued faces vanish and leave what is not covered; loops that coincide become one. Patterns are written out
-    where they do not go with the gluing. Raises GeometryError where the faces cannot be glued.
+    first: Boundary
+    second: Boundary
+    contacts: tuple[Contact, ...]
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The boundary of both: glued faces vanish and leave what is not covered; loops that coincide become one."""
+        removed = {face for contact in self.contacts for face in contact.removed}
+        renamed = _Renamed([match for contact in self.contacts for match in contact.shared])
+        left = [renamed.cap(cap) for contact in self.contacts for cap in contact.caps]
+        return Boundary(
+            patches=(
+                *_without(self.first.patches, removed),
+                *map(renamed.patch, _without(self.second.patches, removed)),
+            ),
+            caps=(*_without(self.first.caps, removed), *map(renamed.cap, _without(self.second.caps, removed)), *left),
+        )
+
+
+def meeting(first: Boundary, second: Boundary) -> Meeting:
+    """Where plane faces of two bodies lie on one another.
+
+    Patterns are written out where they do not go with the gluing, and borders that run along each other get the
+    same corners. Raises GeometryError where the faces cannot be glued.
     """
     size = max(rough_diagonal(first), rough_diagonal(second))
     ours, theirs = flat_faces(first), flat_faces(second)
@@ -32,21 +56,14 @@ def joined(first: Boundary, second: Boundary) -> tuple[Boundary, list[Contact]]:
     ours_out = any(not ours[i].loops for i, _ in pairs)
     theirs_out = any(not theirs[j].loops for _, j in pairs)
     if ours_out or theirs_out:
-        return joined(written_out(first) if ours_out else first, written_out(second) if theirs_out else second)
+        return meeting(written_out(first) if ours_out else first, written_out(second) if theirs_out else second)
     refined = _refined(first, second, [ours[i] for i, _ in pairs], [theirs[j] for _, j in pairs], COINCIDENT * size)
     if refined is not None:
-        return joined(*refined)
+        return meeting(*refined)
     found = contacts(ours, theirs, pairs, size)
-    shared = [match for contact in found for match in contact.shared]
-    if not all(match.plain for match in shared) and _patterned(first, second):
-        return joined(written_out(first), written_out(second))
-    removed = {face for contact in found for face in contact.removed}
-    renamed = _Renamed(shared)
-    patches = [*_without(first.patches, removed), *map(renamed.patch, _without(second.patches, removed))]
-    caps = [*_without(first.caps, removed), *map(renamed.cap, _without(second.caps, removed))]
-    left = [renamed.cap(cap) for contact in found for cap in contact.caps]
-    whole = Boundary(patches=tuple(patches), caps=(*caps, *left))
-    return whole, found
+    if not all(match.plain for contact in found for match in contact.shared) and _patterned(first, second):
+        return meeting(written_out(first), written_out(second))
+    return Meeting(first=first, second=second, contacts=tuple(found))
 
 
 def _refined(

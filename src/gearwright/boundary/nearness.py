@@ -48,7 +48,7 @@ class Skin:
         fractions = np.tile(grid, (sum(map(len, clouds)) // len(grid), 1))
         return cls(boundary, np.concatenate(clouds), np.concatenate(owners), np.concatenate(images), fractions)
 
-    def nearest_to(self, other: Skin, eligible: Array, sag: float) -> tuple[Array, Array]:
+    def nearest_to(self, other: Skin, eligible: Indices, sag: float) -> tuple[Array, Array]:
         """Places (k, 3) on this body's patches that come locally nearest to another body, and signed distances (k,).
 
         Searched from the nearest points (indices) of up to so many patches, on grids that shrink around the best.
@@ -66,7 +66,7 @@ class Skin:
             width = width / 2.0
         return places, found
 
-    def _starts(self, other: Skin, eligible: Array, sag: float) -> Indices:
+    def _starts(self, other: Skin, eligible: Indices, sag: float) -> Indices:
         """The nearest points, by number, to another body of those few patches that have the nearest."""
         distances = other.signed_distance(self.points[eligible], sag)
         order = eligible[np.argsort(distances)]

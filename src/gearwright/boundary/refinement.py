@@ -50,7 +50,9 @@ def _passing(edge: Edge, k: int, points: Array, near: float) -> list[float]:
     for _ in range(_STEPS):
         u = edge.curve.parameter(f)
         tangent = edge.curve.derivative(u) * (end - start)
-        f = np.clip(f + np.sum((points - edge.curve.point(u)) * tangent, axis=1) / np.sum(tangent**2, axis=1), 0.0, 1.0)
+        square = np.sum(tangent**2, axis=1)
+        square = np.where(square > 0.0, square, np.inf)  # at a cusp there is no way on
+        f = np.clip(f + np.sum((points - edge.curve.point(u)) * tangent, axis=1) / square, 0.0, 1.0)
     feet = edge.curve.point(edge.curve.parameter(f))
     on = np.linalg.norm(points - feet, axis=1) <= near
     for tip in samples[[0, -1]]:

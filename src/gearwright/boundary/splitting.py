@@ -14,7 +14,7 @@ from .boundary import Boundary
 from .edge import Edge, EdgeUse, Profile, Rail, Vertex
 from .faces import Cap, Patch
 
-_SAME = 1e-9  # of an edge's parameter: cuts nearer than that are one
+_SAME = 1e-11  # of an edge's parameter: cuts nearer than that are one, as corners further apart are not
 
 Cuts = Mapping[Edge, Sequence[float]]
 """Fractions of an edge's parameter, between 0 and 1, at which it is cut."""

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
 from ..boundary.boundary import Boundary
 from ..boundary.contact import APART, COINCIDENT, HEADLINE, Contact
 from ..boundary.extent import rough_diagonal
-from ..boundary.joining import joined
+from ..boundary.joining import meeting
 from ..boundary.nearness import Skin
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
@@ -31,12 +32,14 @@ def united(first: Boundary, second: Boundary) -> Boundary:
     Raises GeometryError saying where, if they overlap or touch in another way. Overlaps are found by points all
     over either skin that lie in the other body: a thin bar through a thin wall can pass between them.
     """
-    whole, found = joined(first, second)
-    bodies = _Body(first), _Body(second)
-    problem = _interference(*bodies, found, "first", "second") or _interference(*bodies[::-1], found, "second", "first")
+    met = meeting(first, second)
+    one, other = _Body(met.first), _Body(met.second)
+    problem = _interference(one, other, met.contacts, "first", "second") or _interference(
+        other, one, met.contacts, "second", "first"
+    )
     if problem:
         raise GeometryError(HEADLINE, [problem])
-    return whole
+    return met.boundary
 
 
 @dataclass(frozen=True)
@@ -85,8 +88,8 @@ def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str
         where = _place(points[int(np.argmax(touching))])
         return Problem(
             f"the {name} touches the {other_name} near {where}",
-            "solids can only be glued along plane faces whose borders are the same or nested; leave a gap, or make"
-            " the piece as one section",
+            "solids can only be glued along plane faces that lie on one another, their borders the same or nested; move"
+            " the piece onto the face, leave a gap, or make both as one section",
         )
     near = 2.0 * other.tolerance
     inside = (distance < 0.0) & (np.abs(distance) <= near)
@@ -105,7 +108,9 @@ def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str
 
 def _nearest(skin: Skin, other: _Body, found: Sequence[Contact], size: float) -> Array:
     """Places (n, 3) where free patches of a skin come nearest to another body: tangents lie between the points."""
-    flat = np.any([contact.plane.deviation(skin.points) <= _IN_PLANE * size for contact in found], axis=0)
+    flat: NDArray[np.bool_] = np.any(
+        [contact.plane.deviation(skin.points) <= _IN_PLANE * size for contact in found], axis=0
+    )
     faces = skin.owners * (1 + skin.images.max()) + skin.images
     glued = np.isin(faces, faces[flat]) if found else np.zeros(len(faces), bool)
     reach = np.array([[-_REACH], [_REACH]]) * size
@@ -122,7 +127,7 @@ def _outside(points: Array, found: Sequence[Contact], size: float) -> Array:
     return points
 
 
-def _in_box(points: Array, box: Array) -> Array:
+def _in_box(points: Array, box: Array) -> NDArray[np.bool_]:
     return np.all((points >= box[0]) & (points <= box[1]), axis=1)
 
 
