@@ -182,6 +182,22 @@ SUMS = {
         ),
         8.0 * np.pi,
     ),
+    "rods on all sides of a box": Sum(
+        (
+            box(9.0, 9.0, 9.0),
+            bar(circle(2.0), length=5.0).moved(UPRIGHT, (9.0, 4.0, 5.0)),
+            bar(circle(2.0), length=5.0).moved(UPRIGHT, (-5.0, 4.0, 5.0)),
+            bar(circle(2.0), length=5.0).moved([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]], (4.0, 9.0, 5.0)),
+            bar(hexagon(2.0), length=5.0).moved([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]], (4.0, -5.0, 5.0)),
+        ),
+        12.0 * np.pi + 4.0 * HEXAGON_AREA,
+    ),
+    "three boxes in a row": Sum(
+        (box(9.0, 9.0, 9.0), *(box(9.0, 9.0, 9.0).moved(EYE, (x, 0.0, 0.0)) for x in (9.0, -9.0))), 162.0
+    ),
+    "a small disc on a long plate": Sum(
+        (box(100.0, 10.0, 1.0), bar(circle(0.5), length=1.0).moved(EYE, (73.0, 1.0, 1.0))), 0.25 * np.pi
+    ),
     "two gears apart": Sum((GEAR, GEAR.moved(turned(0.1), (160.0, 0.0, 0.0))), 0.0, 2),
     "a ball in a hollow": Sum(
         (

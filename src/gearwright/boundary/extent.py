@@ -31,7 +31,9 @@ def surface_area(boundary: Boundary) -> float:
 def bounding_box(boundary: Boundary) -> Array:
     """Lowest and highest coordinates (2, 3): extremes of the patches, found on a grid and refined, and of the caps."""
     candidates = [_Candidates.of(patch) for patch in boundary.patches]
-    samples = np.concatenate([c.points.reshape(-1, 3) for c in candidates])
+    # edges between caps alone are straight
+    corners = [edge.pattern.images(edge.curve.point(np.array(edge.curve.interval))) for edge in boundary.edges]
+    samples = np.concatenate([points.reshape(-1, 3) for points in (*(c.points for c in candidates), *corners)])
     size = float(np.ptp(samples, axis=0).max())
     inside = np.array([point for cap in boundary.caps for point in _extremes_inside(cap)]).reshape(-1, 3)
     box = np.empty((2, 3))
@@ -39,9 +41,8 @@ def bounding_box(boundary: Boundary) -> Array:
         for row, sign in enumerate((-1.0, 1.0)):
             best = float(np.max(sign * samples[:, axis]))
             near = [c for c in candidates if np.max(sign * c.points[..., axis]) > best - _NEAR_BEST * size]
-            box[row, axis] = sign * max(
-                [*(c.refined(axis, sign, best - _NEAR_BEST * size) for c in near), *(sign * inside[:, axis])]
-            )
+            refined = (c.refined(axis, sign, best - _NEAR_BEST * size) for c in near)
+            box[row, axis] = sign * max([best, *refined, *(sign * inside[:, axis])])
     return box
 
 

@@ -39,7 +39,8 @@ class Skin:
     def of(cls, boundary: Boundary) -> Skin:
         side = np.linspace(0.0, 1.0, _GRID)
         grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
-        clouds, owners, images = [], [], []
+        nothing = np.empty(0, np.int64)
+        clouds, owners, images = [np.empty((0, 3))], [nothing], [nothing]
         for i, patch in enumerate(boundary.patches):
             order = patch.pattern.order
             clouds.append(patch.pattern.images(patch.point(*grid.T)).reshape(-1, 3))
@@ -90,7 +91,8 @@ class Skin:
         sag   of the chords of caps' borders, to tell what lies over a cap
         """
         found = np.full(len(points), np.inf)
-        for nearest in self._tree.query(points, k=min(_NEAREST, len(self.points)))[1].T:
+        count = min(_NEAREST, len(self.points))
+        for nearest in self._tree.query(points, k=count)[1].T if count else ():
             keys = np.stack([self.owners[nearest], self.images[nearest]], axis=1)
             for owner, image in np.unique(keys, axis=0):
                 chosen = np.flatnonzero((keys == [owner, image]).all(axis=1))

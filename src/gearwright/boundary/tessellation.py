@@ -36,6 +36,8 @@ class _Tessellation:
 
     def result(self) -> tuple[Array, Indices]:
         triangles = [self._patch(patch) for patch in self._boundary.patches]
+        for edge in self._boundary.edges:
+            self._edge(edge)  # some lie between caps alone
         positions = np.concatenate(self._points)  # all that caps can refer to
         triangles += [self._cap(cap, positions) for cap in self._boundary.caps]
         if not any(map(len, triangles)):

@@ -23,6 +23,8 @@ MOST_CELLS = 2_000_000
 """Inner points of one face beyond which a tolerance is taken for a slip."""
 _GRADING = 0.6  # cell size by distance from the border: neighbours then differ by less than a factor of two
 _CLEARANCE = 0.6  # distance of inner points from the border, by the local spacing
+_CLEAR_OF_SIDES = 0.3  # distance of inner points from the border's sides, by the size wanted there
+_LONG = 1.5  # a side so many times the least spacing may have other border points nearer to its middle than its ends
 _SAMPLED = 0.95  # of the tolerance, where a triangle is sampled; border sides keep 1/1.1 of it by themselves
 _ROUNDS = 8  # insertions after which a triangle beyond the tolerance is refused
 
@@ -104,7 +106,8 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
     border = np.concatenate(loops)
     constraints = closed_chains([len(loop) for loop in loops])
     spacing = spacing_along(border, constraints)
-    inner = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing).points()
+    grading = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing)
+    inner = _clear_of_sides(grading, grading.points(), constraints)
     for _ in range(_ROUNDS):
         points = np.concatenate([border, inner])
         triangles = _delaunay(points, constraints)
@@ -121,6 +124,23 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
         triangles = triangles[:, ::-1]
     used, triangles = _without_unused(triangles, len(border), len(points))
     return inner[used], triangles
+
+
+def _clear_of_sides(grading: Grading, inner: Array, constraints: Indices) -> Array:
+    """Inner points (k, 2) without those near a long side whose ends are further off than other points of the border."""
+    start, step = grading.border[constraints[:, 0]], np.diff(grading.border[constraints], axis=1)[:, 0]
+    lengths = np.linalg.norm(step, axis=1)
+    long = np.flatnonzero(lengths > _LONG * grading.spacing.min())
+    if not len(inner) or not len(long):
+        return inner
+    needed = _CLEAR_OF_SIDES * grading.size(inner)[0]
+    clear = np.ones(len(inner), bool)
+    around = cKDTree(inner).query_ball_point((start + step / 2.0)[long], lengths[long] / 2.0 + needed.max())
+    for side, near in zip(long, around, strict=True):
+        arms = inner[near] - start[side]
+        t = np.clip(arms @ step[side] / lengths[side] ** 2, 0.0, 1.0)
+        clear[near] &= np.linalg.norm(arms - t[:, None] * step[side], axis=1) > needed[near]
+    return inner[clear]
 
 
 def _deviation(surface: Surface, corners: Array) -> Array:

@@ -108,6 +108,8 @@ def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str
 
 def _nearest(skin: Skin, other: _Body, found: Sequence[Contact], size: float) -> Array:
     """Places (n, 3) where free patches of a skin come nearest to another body: tangents lie between the points."""
+    if not len(skin.points):
+        return skin.points
     flat: NDArray[np.bool_] = np.any(
         [contact.plane.deviation(skin.points) <= _IN_PLANE * size for contact in found], axis=0
     )
