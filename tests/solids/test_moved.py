@@ -75,6 +75,11 @@ class TestEveryMovedSolid:
         assert other.volume == pytest.approx(one.volume, rel=1e-12)
         np.testing.assert_allclose(other.centroid, one.centroid, atol=1e-12 * np.cbrt(one.volume))
         assert len(plain.patches) == sum(patch.pattern.order for patch in boundary.patches)
+        for loop in (loop for cap in plain.caps for loop in cap.loops):
+            ends = [
+                (use.edge.end, use.edge.start) if use.reverse else (use.edge.start, use.edge.end) for use in loop.uses
+            ]
+            assert all(end is start for (_, end), (start, _) in zip(ends, [*ends[1:], ends[0]], strict=True))
         _, triangles = tessellate(plain, sampling(plain, 0.01 * np.cbrt(one.volume)))
         assert edges_pair_up(triangles)
         assert set(fans_at_vertices(triangles)) == {1}
