@@ -89,7 +89,7 @@ def contacts(
 
 @dataclass(frozen=True, eq=False)
 class _Outline:
-    """A loop of a face: `side` 0 or 1 says whose body it is, `sag` how far chords are off."""
+    """A loop of a face: `side` 0 or 1 says whose body it is, `plane` charts it with all others of the plane."""
 
     side: int
     face: FlatFace
@@ -154,7 +154,7 @@ class _Plane:
             partners = [a for a in firsts if any(match and match.first in a.edges for match in edges)]
             whole = len(partners) == 1 and {m.first if m else None for m in edges} == partners[0].edges
             if not whole:
-                self._refuse(partners[0], b, "share only a part of their borders", b.face.outline[0])
+                self._refuse(partners[0], b, "are the same only in part", b.face.outline[0])
             self._require_same_side(partners[0], b, of_second)
             same |= {b, partners[0]}
         return found, same
