@@ -182,6 +182,39 @@ SUMS = {
         ),
         8.0 * np.pi,
     ),
+    "two halves of a ring": Sum(
+        (
+            spun((3.0, 0.0), (5.0, 0.0), (5.0, 2.0), (3.0, 2.0), angle=180.0),
+            spun((3.0, 0.0), (5.0, 0.0), (5.0, 2.0), (3.0, 2.0), angle=180.0).moved(turned(np.pi)),
+        ),
+        8.0,
+        1,
+        1,
+    ),
+    "two quarters of a cone": Sum(
+        (
+            spun((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), angle=90.0),
+            spun((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), angle=90.0).moved(turned(np.pi / 2)),
+        ),
+        0.5,
+    ),
+    "a lid on a cup, which leaves a void": Sum(
+        (
+            spun((0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (3.0, 5.0), (3.0, 2.0), (0.0, 2.0)),
+            bar(circle(5.0), length=1.0).moved(turned(0.7), up(5.0)),
+        ),
+        16.0 * np.pi,
+        2,
+    ),
+    "pins on a row of boxes": Sum(
+        (
+            box(4.0, 4.0, 3.0),
+            box(4.0, 4.0, 3.0).moved(EYE, (4.0, 0.0, 0.0)),
+            bar(circle(1.0), length=3.0).moved(EYE, (2.0, 2.0, 3.0)),
+            bar(circle(1.0), length=3.0).moved(EYE, (6.0, 2.0, 3.0)),
+        ),
+        12.0 + 2.0 * np.pi,
+    ),
     "rods on all sides of a box": Sum(
         (
             box(9.0, 9.0, 9.0),
