@@ -53,6 +53,19 @@ class Placed(Motion):
     def breaks(self, ends: Ends) -> tuple[float, ...]:
         return self.motion.breaks(ends)
 
+    def panels(self, start: float, finish: float) -> tuple[float, ...]:
+        return self.motion.panels(start, finish)
+
+    def station(self, v: float) -> str:
+        return self.motion.station(v)
+
+    def remedy(self, point: Array, v: float) -> str:
+        return self.motion.remedy(point, v)
+
+    @property
+    def has_still_points(self) -> bool:
+        return self.motion.has_still_points
+
     @property
     def rotation_order(self) -> int:
         """That of the motion where the axis stays, half turns only where it is turned over, else 1."""

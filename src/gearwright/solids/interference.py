@@ -19,24 +19,27 @@ from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
 from ..errors import GeometryError, Problem
 from ..moments.components import winding_number
+from .self_intersections import find_self_intersections
 
 _COARSE = 2e-3  # chord tolerance, relative to a body's diagonal, of the polyhedra that are searched
 _MOST_PAIRS = 4_000_000  # points × triangles looked at: a second or so
 _REACH = 0.05  # of the larger body: how far off the other body's box a patch is still looked at between its points
+_REMEDY = "only solids that lie apart or against each other can be added; move one of them, or check its length unit"
 _IN_PLANE = 10.0 * COINCIDENT  # of the larger body: points of a plane in which the bodies are glued
 
 
 def united(first: Boundary, second: Boundary) -> Boundary:
     """The boundary of two bodies that lie apart or against each other with plane faces.
 
-    Raises GeometryError saying where, if they overlap or touch in another way. Overlaps are found by points all
-    over either skin that lie in the other body: a thin bar through a thin wall can pass between them.
+    Raises GeometryError saying where, if they overlap or touch in another way: where points all over either skin
+    lie in the other body, or where their polyhedra pass through each other by more than their chords.
     """
     met = meeting(first, second)
     one, other = _Body(met.first), _Body(met.second)
     problem = _interference(one, other, met.contacts, "first", "second") or _interference(
         other, one, met.contacts, "second", "first"
     )
+    problem = problem or _crossing(one, other)
     if problem:
         raise GeometryError(HEADLINE, [problem])
     return met.boundary
@@ -102,8 +105,33 @@ def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str
     where = _place(points[int(np.argmax(inside))])
     return Problem(
         f"the {name} overlaps the {other_name} near {where}",
-        "only solids that lie apart or against each other can be added; move one of them, or check its length unit",
+        _REMEDY,
     )
+
+
+def _crossing(one: _Body, other: _Body) -> Problem | None:
+    """Where the polyhedra of two bodies pass through each other so far that the bodies must: a bar through a wall."""
+    vertices, triangles = zip(*(_facing(*pair) for pair in ((one, other), (other, one))), strict=True)
+    if not all(map(len, triangles)):
+        return None
+    count = len(triangles[0])
+    both = np.concatenate([triangles[0], triangles[1] + len(vertices[0])])
+    found = find_self_intersections(np.concatenate(vertices), both, np.arange(len(both)))
+    between = (found.pairs[:, 0] < count) & (found.pairs[:, 1] >= count)
+    deep = np.flatnonzero(between & (found.depths > 2.0 * (one.tolerance + other.tolerance)))
+    if not len(deep):
+        return None
+    return Problem(f"the first passes through the second near {_place(found.points[deep[0]])}", _REMEDY)
+
+
+def _facing(body: _Body, other: _Body) -> tuple[Array, Indices]:
+    """A body's vertices, and those of its triangles whose boxes reach into the other's."""
+    vertices, triangles = body.polyhedron
+    low, high = other.polyhedron[0].min(axis=0), other.polyhedron[0].max(axis=0)
+    margin = APART * max(body.diagonal, other.diagonal)
+    corners = vertices[triangles]
+    into = (corners.max(axis=1) > low + margin) & (corners.min(axis=1) < high - margin)
+    return vertices, triangles[into.all(axis=1)]
 
 
 def _nearest(skin: Skin, other: _Body, found: Sequence[Contact], size: float) -> Array:
