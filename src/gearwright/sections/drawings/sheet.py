@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.curve import Curve, along
-from ..errors import FileError
+from ...arrays import Array
+from ...curves.curve import Curve, along
+from ...errors import FileError
 
 MOST_CURVES = 200_000
 """What nested copies of copies may come to; a drawing of a section has some thousands at the most."""

@@ -8,14 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
-from .. import disk
-from ..arrays import Array, ArrayLike
-from ..errors import FileError, GeometryError, Problem
+from ... import disk
+from ...arrays import Array, ArrayLike
+from ...errors import FileError, GeometryError, Problem
+from ..loop import Loop
 from . import csv_points, dxf, svg
 from .chains import closed_chains, joint_tolerance, long_enough
 from .joints import fitted
 from .listing import first_few, place
-from .loop import Loop
 from .nesting import Chain, described, innermost, regions
 from .sheet import Sheet
 

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.arc import Arc
-from ..curves.bspline import bspline_spans
-from ..curves.curve import Curve
-from ..curves.elliptic_arc import EllipticArc
-from ..curves.line import Line, lines_through
-from ..errors import FileError
+from ...arrays import Array
+from ...curves.arc import Arc
+from ...curves.bspline import bspline_spans
+from ...curves.curve import Curve
+from ...curves.elliptic_arc import EllipticArc
+from ...curves.line import Line, lines_through
+from ...errors import FileError
 from .listing import place
 
 _LEVEL = 1e-9

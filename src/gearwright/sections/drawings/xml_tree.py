@@ -5,7 +5,7 @@ from __future__ import annotations
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
-from ..errors import FileError
+from ...errors import FileError
 
 _LONGEST_ENTITY = 256
 """Characters of an abbreviation; those of drawing programs are the addresses of name spaces."""

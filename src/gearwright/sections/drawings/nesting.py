@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.curve import Curve, along, chain_quadrature
-from ..curves.line import Line
-from ..errors import GeometryError, Problem
+from ...arrays import Array
+from ...curves.curve import Curve, along, chain_quadrature
+from ...curves.line import Line
+from ...errors import GeometryError, Problem
 from .listing import first_few, place
 
 if TYPE_CHECKING:

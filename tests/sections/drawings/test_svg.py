@@ -245,7 +245,7 @@ class TestRefusals:
         assert gw.Section.load(path).moments[0, 0] == pytest.approx(np.pi, rel=1e-14)
 
     def test_copies_of_copies_beyond_all_bounds(self, tmp_path, monkeypatch):
-        from gearwright.sections import sheet
+        from gearwright.sections.drawings import sheet
 
         monkeypatch.setattr(sheet, "MOST_CURVES", 500)
         body = '<defs><g id="a0"/>'

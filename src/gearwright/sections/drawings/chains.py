@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..arrays import Array, Indices
-from ..curves.curve import Curve
-from ..errors import GeometryError, Problem
+from ...arrays import Array, Indices
+from ...curves.curve import Curve
+from ...errors import GeometryError, Problem
 from .listing import first_few, place
 from .sheet import samples
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..arrays import Array
-from ..errors import Problem
+from ...arrays import Array
+from ...errors import Problem
 
 _MOST = 12
 """Places named in one refusal: more would bury the first."""

@@ -6,9 +6,9 @@ import re
 
 import numpy as np
 
-from ..curves.curve import Curve
-from ..curves.line import lines_through
-from ..errors import FileError
+from ...curves.curve import Curve
+from ...curves.line import lines_through
+from ...errors import FileError
 from .sheet import MOST_CURVES, Sheet
 
 _SEPARATOR = re.compile(r"\s*[,;]\s*|\s+")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import FileError, MachineError
+from ...errors import FileError, MachineError
 from .dxf_curves import OUTLINES, curves_of
 from .sheet import Sheet, Tally
 

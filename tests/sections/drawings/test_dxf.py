@@ -369,7 +369,7 @@ class TestRefusals:
             load(tmp_path, draw)
 
     def test_copies_beyond_all_bounds(self, tmp_path, monkeypatch):
-        from gearwright.sections import sheet
+        from gearwright.sections.drawings import sheet
 
         monkeypatch.setattr(sheet, "MOST_CURVES", 500)
 

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.arc import Arc
-from ..curves.bezier import Bezier
-from ..curves.curve import Curve
-from ..curves.elliptic_arc import EllipticArc
-from ..curves.line import Line
-from ..curves.rational_bezier import RationalBezier
+from ...arrays import Array
+from ...curves.arc import Arc
+from ...curves.bezier import Bezier
+from ...curves.curve import Curve
+from ...curves.elliptic_arc import EllipticArc
+from ...curves.line import Line
+from ...curves.rational_bezier import RationalBezier
 
 _ROUNDING = 8.0 * float(np.finfo(float).eps)
 """A gap this small, relative to the coordinates, is what computing the ends of an arc leaves."""

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Array
-from ..errors import FileError, MachineError
+from ...arrays import Array
+from ...errors import FileError, MachineError
 from .sheet import Sheet, Tally
 from .svg_shapes import SHAPES, curves_of
 from .svg_units import Unusable, length, user_units

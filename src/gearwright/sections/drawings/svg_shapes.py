@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.arc import Arc
-from ..curves.bezier import Bezier
-from ..curves.curve import Curve
-from ..curves.elliptic_arc import EllipticArc
-from ..curves.line import Line, lines_through
+from ...arrays import Array
+from ...curves.arc import Arc
+from ...curves.bezier import Bezier
+from ...curves.curve import Curve
+from ...curves.elliptic_arc import EllipticArc
+from ...curves.line import Line, lines_through
 from .svg_units import Unusable, length
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from gearwright.curves.elliptic_arc import EllipticArc
 from gearwright.curves.line import Line
 from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.sections import drawings
-from gearwright.sections.chains import JOINT, closed_chains
-from gearwright.sections.joints import fitted
+from gearwright.sections.drawings.chains import JOINT, closed_chains
+from gearwright.sections.drawings.joints import fitted
 from gearwright.sections.loop import Loop
 
 from .drawn import csv, dxf, svg
