@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from ..curves.curve import Curve
+from ..curves.curve import Curve, along
 from ..motions.ends import End, Ends
 from ..motions.motion import Motion
 from .pattern import ALONE, Pattern
@@ -91,6 +93,19 @@ class Rail(Curve):
     def panels(self) -> tuple[float, ...]:
         return motion_panels(self.motion, self.ends)
 
+    @classmethod
+    def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
+        """All at once, where they are whole rails of one motion between the same ends."""
+        first = curves[0]
+        if any((c.motion, c.ends) != (first.motion, first.ends) or c.interval != (0.0, 1.0) for c in curves):
+            return super().together(curves, fractions)
+        p = np.broadcast_to(
+            np.array([c.section_point for c in curves])[:, None, :],
+            (len(curves), len(fractions), len(first.section_point)),
+        )
+        v = first.ends.value(p, fractions)
+        return first.motion.place(p, v), first.motion.velocity(p, v) * first.ends.span(p)[..., None]
+
     def _points(self, u: ArrayLike) -> Array:
         point = np.asarray(self.section_point)
         return np.broadcast_to(point, (*np.shape(u), point.size))
@@ -113,3 +128,17 @@ class Profile(Curve):
         v = self.station.value(p)
         along = np.sum(self.station.gradient(p) * tangent, axis=-1)
         return self.motion.carry(p, tangent, v) + self.motion.velocity(p, v) * along[..., None]
+
+    @classmethod
+    def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
+        """All at once, where they are whole curves at one station of one motion."""
+        first = curves[0]
+        if any(
+            (c.motion, c.station) != (first.motion, first.station) or c.interval != c.curve.interval for c in curves
+        ):
+            return super().together(curves, fractions)
+        p, tangent = along([c.curve for c in curves], fractions)
+        v = first.station.value(p)
+        turned = np.sum(first.station.gradient(p) * tangent, axis=-1)[..., None]
+        rates = first.motion.carry(p, tangent, v) + first.motion.velocity(p, v) * turned
+        return first.motion.place(p, v), rates

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 from scipy.optimize import minimize
 
 from ..arrays import Array, Indices
-from ..curves.curve import Curve, in_panels
+from ..curves.curve import along, in_panels
 from ..moments.quadrature import converged
 from .boundary import Boundary
-from .faces import Cap, Patch
+from .faces import Cap, Patch, alike, points_and_partials
 from .flux import loop_quadrature, patch_quadrature
 from .outlines import winding
 
@@ -48,28 +49,34 @@ def bounding_box(boundary: Boundary) -> Array:
 
 def rough_diagonal(boundary: Boundary) -> float:
     """Diagonal of the bounding box to a hundredth or so: from points along edges and on patches, extremes in caps."""
-    edges = [edge.pattern.images(_along(edge.curve)) for edge in boundary.edges]
-    edges += [patch.pattern.images(patch.point(*_middles(patch))) for patch in boundary.patches]
     inside = [point for cap in boundary.caps for point in _extremes_inside(cap)]
-    points = np.concatenate([*(images.reshape(-1, 3) for images in edges), np.array(inside).reshape(-1, 3)])
+    points = np.concatenate(
+        [*_points_on_edges(boundary), *_points_on_patches(boundary), np.array(inside).reshape(-1, 3)]
+    )
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
-def _middles(patch: Patch) -> tuple[Array, Array]:
-    """Fractions (u, v) of some points of a patch."""
+def _points_on_edges(boundary: Boundary) -> Iterator[Array]:
+    """Points (n, 3) along all images of the edges, those of one pattern together."""
+    for _, group in groupby(boundary.edges, key=lambda edge: (id(edge.pattern), edge.curve.panels)):
+        edges = list(group)
+        points, _ = along([edge.curve for edge in edges], edges[0].curve.fractions(_GRID - 1))
+        yield edges[0].pattern.images(points.reshape(-1, 3)).reshape(-1, 3)
+
+
+def _points_on_patches(boundary: Boundary) -> Iterator[Array]:
+    """Some points (n, 3) on all images of the patches."""
     quarters = np.array([0.25, 0.5, 0.75])
-    u, v = np.meshgrid(quarters, in_panels(patch.panels, quarters))
-    return u.ravel(), v.ravel()
-
-
-def _along(curve: Curve) -> Array:
-    return curve.point(curve.parameter(curve.fractions(_GRID - 1)))
+    for run in alike(boundary.patches):
+        u, v = np.meshgrid(quarters, in_panels(run[0].panels, quarters))
+        points, _, _ = points_and_partials(run, u.ravel(), v.ravel())
+        yield run[0].pattern.images(points.reshape(-1, 3)).reshape(-1, 3)
 
 
 def _area(boundary: Boundary, nodes: int) -> float:
     patches = (
-        patch.pattern.order * float(np.sum(np.linalg.norm(patch_quadrature(patch, nodes)[1], axis=1)))
-        for patch in boundary.patches
+        pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
+        for pattern, _, area_vectors in patch_quadrature(boundary.patches, nodes)
     )
     caps = (abs(sum(cap.surface.area(*loop_quadrature(loop, nodes)) for loop in cap.loops)) for cap in boundary.caps)
     return sum(patches) + sum(caps)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve
+from ..curves.curve import Curve, along
 from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..surfaces.surface import Surface
@@ -63,6 +63,36 @@ class Patch:
         parameter = self.curve.parameter(u)
         t = self.ends.value(self.curve.point(parameter), v)
         return self.curve.at(t).point(parameter), t
+
+
+def alike(patches: Sequence[Patch]) -> list[list[Patch]]:
+    """Patches in runs that can be evaluated at once: one motion between the same ends, of curves that are no family."""
+    runs: list[list[Patch]] = []
+    for patch in patches:
+        first = runs[-1][0] if runs else None
+        if (
+            first is not None
+            and (patch.motion is first.motion and patch.ends is first.ends and patch.pattern is first.pattern)
+            and (patch.curve.at(0.0) is patch.curve and first.curve.at(0.0) is first.curve)
+        ):
+            runs[-1].append(patch)
+        else:
+            runs.append([patch])
+    return runs
+
+
+def points_and_partials(patches: Sequence[Patch], u: Array, v: Array) -> tuple[Array, Array, Array]:
+    """Points, ∂r/∂u and ∂r/∂v (k, n, 3) of k alike patches at fractions u, v (n,)."""
+    first = patches[0]
+    if len(patches) == 1:
+        du, dv = first.partials(u, v)
+        return first.point(u, v)[None], du[None], dv[None]
+    p, tangent = along([patch.curve for patch in patches], u)
+    t = first.ends.value(p, v)
+    velocity = first.motion.velocity(p, t)
+    turned = np.sum(first.ends.gradient(p, v) * tangent, axis=-1)[..., None]
+    du = first.motion.carry(p, tangent, t) + velocity * turned
+    return first.motion.place(p, t), du, velocity * first.ends.span(p)[..., None]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

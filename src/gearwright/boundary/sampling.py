@@ -11,7 +11,7 @@ the last term being the twist of the quads.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -22,12 +22,13 @@ from ..curves.curve import in_panels
 from ..errors import GeometryError, Problem
 from .boundary import Boundary
 from .edge import Edge
-from .faces import Patch
+from .faces import Patch, alike, points_and_partials
 
 MOST_TRIANGLES = 20_000_000
 """Triangles of the patches beyond which a tolerance is taken for a slip."""
 _LEAST_TOLERANCE = 1e-300
 _FEWEST_CLOSED = 6  # segments of a closed edge, so that it still encloses something
+_AT_ONCE = 50_000  # samples of patches evaluated together
 _MARGIN = 1.1  # the bounds above are taken at sample points
 _DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
 
@@ -67,7 +68,7 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
     segments: dict[Edge, int] = {}
     for along in dict.fromkeys(groups.of(patch.sides[1].edge) for patch in boundary.patches):
         patches = [patch for patch in boundary.patches if groups.of(patch.sides[1].edge) is along]
-        bounds = [_Bounds.of(patch) for patch in patches]
+        bounds = _Bounds.of(patches)
         layers = _best_layers(bounds, tolerance)
         segments[along] = max(segments.get(along, 1), layers)
         for patch, bound in zip(patches, bounds, strict=True):
@@ -115,7 +116,7 @@ class _Groups:
         return edge
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class _Bounds:
     """Greatest second partials of a patch: normal ones inside, all across the tangent on its border edges."""
 
@@ -126,19 +127,26 @@ class _Bounds:
     border_v: float
 
     @classmethod
-    def of(cls, patch: Patch) -> _Bounds:
-        (u, v), inside, on_u, on_v = _sample_points(patch.panels)
-        du, dv = patch.partials(u, v)
+    def of(cls, patches: Sequence[Patch]) -> list[_Bounds]:
+        """Those of each of the patches."""
+        return [bounds for run in alike(patches) for bounds in cls._of_alike(run)]
+
+    @classmethod
+    def _of_alike(cls, patches: Sequence[Patch]) -> list[_Bounds]:
+        (u, v), inside, on_u, on_v = _sample_points(patches[0].panels)
+        many = max(1, _AT_ONCE // len(u))
+        if len(patches) > many:
+            return cls._of_alike(patches[:many]) + cls._of_alike(patches[many:])
+        _, du, dv = points_and_partials(patches, u, v)
         normal = _unit(np.cross(du, dv))
-        uu, uv, vv = _second_partials(patch, u, v)
+        uu, uv, vv = _second_partials(patches, u, v)
         across_u, across_v = _across(uu, du), _across(vv, dv)
-        return cls(
-            uu=_greatest(np.abs(np.sum(normal * uu, axis=-1))[inside]),
-            uv=_greatest(np.abs(np.sum(normal * uv, axis=-1))[inside]),
-            vv=_greatest(np.abs(np.sum(normal * vv, axis=-1))[inside]),
-            border_u=_greatest(across_u[on_u]),
-            border_v=_greatest(across_v[on_v]),
-        )
+        greatest = [
+            *(np.abs(np.sum(normal * second, axis=-1))[:, inside] for second in (uu, uv, vv)),
+            across_u[:, on_u],
+            across_v[:, on_v],
+        ]
+        return [cls(*row) for row in (_MARGIN * np.stack([g.max(axis=1) for g in greatest], axis=1)).tolist()]
 
     def columns(self, layers: Array | int, tolerance: float) -> Array:
         """Fewest segments n_u (...) across for n_v layers (...); infinite where these layers cannot do."""
@@ -160,13 +168,13 @@ def _best_layers(bounds: list[_Bounds], tolerance: float) -> int:
     return int(candidates[np.argmin(cells)])
 
 
-def _second_partials(patch: Patch, u: Array, v: Array) -> tuple[Array, Array, Array]:
+def _second_partials(patches: Sequence[Patch], u: Array, v: Array) -> tuple[Array, Array, Array]:
     h = _DIFFERENCE
     u, v = np.clip(u, h, 1.0 - h), np.clip(v, h, 1.0 - h)  # a motion may not go beyond its ends
-    u_after, v_after_u = patch.partials(u + h, v)
-    u_before, v_before_u = patch.partials(u - h, v)
-    _, v_after = patch.partials(u, v + h)
-    _, v_before = patch.partials(u, v - h)
+    _, u_after, v_after_u = points_and_partials(patches, u + h, v)
+    _, u_before, v_before_u = points_and_partials(patches, u - h, v)
+    _, _, v_after = points_and_partials(patches, u, v + h)
+    _, _, v_before = points_and_partials(patches, u, v - h)
     return (
         (u_after - u_before) / (2.0 * h),
         (v_after_u - v_before_u) / (2.0 * h),
@@ -175,7 +183,7 @@ def _second_partials(patch: Patch, u: Array, v: Array) -> tuple[Array, Array, Ar
 
 
 def _across(second: Array, tangent: Array) -> Array:
-    """Length (n,) of the part of second partials (n, 3) across the tangents (n, 3)."""
+    """Length (...) of the part of second partials (..., 3) across the tangents (..., 3)."""
     along = _unit(tangent)
     return np.linalg.norm(second - along * np.sum(second * along, axis=-1, keepdims=True), axis=-1)
 
@@ -183,10 +191,6 @@ def _across(second: Array, tangent: Array) -> Array:
 def _unit(vectors: Array) -> Array:
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.where(lengths > 0.0, lengths, 1.0)
-
-
-def _greatest(values: Array) -> float:
-    return _MARGIN * float(np.max(values))
 
 
 def _thinnest(boundary: Boundary) -> float:

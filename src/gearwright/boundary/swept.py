@@ -9,7 +9,7 @@ from math import gcd
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve
+from ..curves.curve import Curve, along
 from ..motions.ends import End, Ends
 from ..motions.motion import Motion
 from ..sections.loop import Loop
@@ -76,30 +76,37 @@ class _SweptLoop:
     def _vertices(self) -> list[list[Vertex]]:
         levels: list[list[Vertex]] = []
         for level, station in enumerate(self._stations):
+            positions = self.motion.place(self._starts, station.value(self._starts))
             row = [
                 levels[-1][j]
-                if levels and self._stationary(curve.start)
-                else self._vertex(f"{self.name}.{j}.{level}", curve.start, station)
-                for j, curve in enumerate(self.loop.curves)
+                if levels and self._stationary(start)
+                else self._vertex(f"{self.name}.{j}.{level}", position)
+                for j, (start, position) in enumerate(zip(self._starts, positions, strict=True))
             ]
             levels.append(row)
         if self.motion.closed(self.ends):
             levels[-1] = levels[0]
         return levels
 
-    def _vertex(self, name: str, point: Array, station: End) -> Vertex:
-        position = self.motion.place(point, station.value(point))
+    @cached_property
+    def _starts(self) -> Array:
+        """Where the curves start (n, d)."""
+        return along(self.loop.curves, np.zeros(1))[0][:, 0]
+
+    def _vertex(self, name: str, position: Array) -> Vertex:
         on_axis = bool(np.all(np.abs(position[:2]) <= _ON_AXIS * np.linalg.norm(position)))
         return Vertex(name=name, position=position, pattern=ALONE if on_axis else self._pattern)
 
     def _stationary(self, points: Array) -> bool:
         """Whether the motion leaves section points where they are, as a revolution does on its axis."""
+        if not self.motion.has_still_points:
+            return False
         halfway = self.ends.value(points, np.full(points.shape[:-1], 0.5))
         places, velocities = self.motion.place(points, halfway), self.motion.velocity(points, halfway)
         return bool(np.all(np.abs(velocities) <= _ON_AXIS * np.max(np.abs(places))))
 
     def _sweeps_nothing(self, curve: Curve) -> bool:
-        return self._stationary(curve.point(curve.parameter([0.0, 0.3, 0.7, 1.0])))
+        return self.motion.has_still_points and self._stationary(curve.point(curve.parameter([0.0, 0.3, 0.7, 1.0])))
 
     @cached_property
     def _rails(self) -> list[list[Edge]]:
@@ -107,12 +114,12 @@ class _SweptLoop:
             [
                 Edge(
                     name=f"rail {self.name}.{j}.{level}",
-                    curve=Rail(motion=self.motion, section_point=tuple(curve.start), ends=span),
+                    curve=Rail(motion=self.motion, section_point=tuple(start), ends=span),
                     start=self._vertices[level][j],
                     end=self._vertices[level + 1][j],
                     pattern=self._vertices[level][j].pattern,
                 )
-                for j, curve in enumerate(self.loop.curves)
+                for j, start in enumerate(self._starts.tolist())
             ]
             for level, span in enumerate(self._spans)
         ]
