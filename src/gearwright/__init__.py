@@ -18,11 +18,14 @@ if TYPE_CHECKING:
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
     from .moments.polyhedron import mass_properties
     from .sections.plane import Section
+    from .solids.approximation import approximation_error, layer_refinement, section_refinement
+    from .solids.convergence import ApproximationError, plot_convergence
     from .solids.polyhedron import Polyhedron
     from .solids.properties import MassProperties
     from .solids.sweeps import extrude, revolve, sweep, sweep_along
 
 __all__ = [
+    "ApproximationError",
     "BevelGear",
     "BevelPair",
     "FileError",
@@ -36,10 +39,14 @@ __all__ = [
     "Section",
     "SpurGear",
     "__version__",
+    "approximation_error",
     "extrude",
     "helix",
+    "layer_refinement",
     "mass_properties",
+    "plot_convergence",
     "revolve",
+    "section_refinement",
     "sweep",
     "sweep_along",
 ]
@@ -52,6 +59,8 @@ _MODULES = {
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.polyhedron": ("mass_properties",),
     ".sections.plane": ("Section",),
+    ".solids.approximation": ("approximation_error", "layer_refinement", "section_refinement"),
+    ".solids.convergence": ("ApproximationError", "plot_convergence"),
     ".solids.polyhedron": ("Polyhedron",),
     ".solids.properties": ("MassProperties",),
     ".solids.sweeps": ("extrude", "revolve", "sweep", "sweep_along"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from ..arrays import Array, Indices
@@ -13,22 +15,31 @@ from .pattern import Pattern
 from .rim import triangulate_pattern
 from .sampling import Sampling
 
+Diagonals = Literal["alternating", "fixed"]
+"""Which diagonal cuts a quad of a patch: in turn, like a chequerboard, or the same one in all."""
 
-def tessellate(boundary: Boundary, sampling: Sampling) -> tuple[Array, Indices]:
+
+def tessellate(boundary: Boundary, sampling: Sampling, diagonals: Diagonals = "alternating") -> tuple[Array, Indices]:
     """Vertices (n, 3) and outward triangles (m, 3) of a boundary sampled so.
 
-    Quads of a patch take their diagonals in turn, like a chequerboard: with one fixed diagonal the
-    volume of a twisted strip converges only with the first order of the number of layers.
+    Quads of a patch take their diagonals in turn: with one fixed diagonal, which is there for studies
+    only, the volume of a twisted strip converges only with the first order of the number of layers.
     """
-    return _Tessellation(boundary, sampling).result()
+    return _Tessellation(boundary, sampling, diagonals).result()
+
+
+def tessellate_caps(boundary: Boundary, sampling: Sampling) -> tuple[Array, Indices]:
+    """Vertices (n, 3) and outward triangles (m, 3) of the caps alone, the same as `tessellate` gives them."""
+    return _Tessellation(boundary, sampling, "alternating").caps()
 
 
 class _Tessellation:
     """Numbers vertices, then edges, then faces, as each is met."""
 
-    def __init__(self, boundary: Boundary, sampling: Sampling):
+    def __init__(self, boundary: Boundary, sampling: Sampling, diagonals: Diagonals):
         self._boundary = boundary
         self._sampling = sampling
+        self._diagonals = diagonals
         self._points: list[Array] = []
         self._count = 0
         self._vertices: dict[Vertex, Indices] = {}
@@ -50,6 +61,13 @@ class _Tessellation:
                 ],
             )
         return np.concatenate(self._points), np.concatenate(triangles)
+
+    def caps(self) -> tuple[Array, Indices]:
+        for edge in self._boundary.edges:
+            self._edge(edge)
+        positions = np.concatenate(self._points)
+        triangles = [self._cap(cap, positions) for cap in self._boundary.caps]
+        return np.concatenate(self._points), np.concatenate([np.empty((0, 3), np.int64), *triangles])
 
     def _number(self, points: Array, pattern: Pattern) -> Indices:
         """Numbers (order, n) of new points (n, 3) and all their images."""
@@ -93,7 +111,7 @@ class _Tessellation:
             u, v = np.meshgrid(np.arange(1, columns) / columns, np.arange(1, layers) / layers, indexing="ij")
             points = patch.point(u, v).reshape(-1, 3)
             grid[:, 1:-1, 1:-1] = self._number(points, patch.pattern).reshape(order, columns - 1, layers - 1)
-        triangles = _chequered(grid)
+        triangles = _cut(grid, self._diagonals)
         distinct = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)
         return triangles[distinct]
 
@@ -114,11 +132,12 @@ class _Tessellation:
         return numbers[::-1] if loop.reverse else numbers
 
 
-def _chequered(grid: Indices) -> Indices:
-    """Triangles (m, 3) of grids of numbers (k, columns + 1, layers + 1), diagonals in turn both ways."""
+def _cut(grid: Indices, diagonals: Diagonals) -> Indices:
+    """Triangles (m, 3) of grids of numbers (k, columns + 1, layers + 1); diagonals alternate both ways, or never."""
     a, b = grid[:, :-1, :-1], grid[:, 1:, :-1]
     d, c = grid[:, :-1, 1:], grid[:, 1:, 1:]
-    rising = (np.add.outer(np.arange(a.shape[1]), np.arange(a.shape[2])) % 2 == 0)[None]
+    falling = np.add.outer(np.arange(a.shape[1]), np.arange(a.shape[2])) % 2 == 1
+    rising = ~falling[None] | (diagonals == "fixed")
     first = np.stack([a, b, np.where(rising, c, d)], axis=-1)
     second = np.stack([np.where(rising, a, b), c, d], axis=-1)
     return np.concatenate([first.reshape(-1, 3), second.reshape(-1, 3)])
