@@ -93,11 +93,35 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
 
 
 def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: float) -> Sampling:
-    """So many segments along every section curve and so many layers along the motion, for convergence studies."""
+    """So many segments along every section edge and so many layers along all others, for convergence studies.
+
+    A closed edge counts as six, so that few segments still enclose something.
+    """
+    section = section_edges(boundary)
+    segments = {
+        edge: (across if edge in section else layers) * (_FEWEST_CLOSED if edge.closed else 1)
+        for edge in boundary.edges
+    }
+    return Sampling(segments=segments, tolerance=tolerance)
+
+
+def section_edges(boundary: Boundary) -> frozenset[Edge]:
+    """The edges around the caps and those cut like them; where there are no caps, those along section curves.
+
+    Raises GeometryError where a patch has nothing else, so that no layers lie between the caps.
+    """
     groups = _Groups(boundary)
-    segments = {groups.of(patch.sides[0].edge): across for patch in boundary.patches}
-    segments |= {groups.of(patch.sides[1].edge): layers for patch in boundary.patches}
-    return Sampling(segments={edge: segments.get(groups.of(edge), 1) for edge in boundary.edges}, tolerance=tolerance)
+    around = {groups.of(use.edge) for cap in boundary.caps for loop in cap.loops for use in loop.uses}
+    around = around or {groups.of(patch.sides[0].edge) for patch in boundary.patches}
+    found = frozenset(edge for edge in boundary.edges if groups.of(edge) in around)
+    problems = [
+        Problem(f"face {patch.name}", "its sides in both directions belong to end faces")
+        for patch in boundary.patches
+        if patch.sides[0].edge in found and patch.sides[1].edge in found
+    ]
+    if problems:
+        raise GeometryError("Section and layers of this solid cannot be told apart", problems)
+    return found
 
 
 class _Groups:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
 import numpy as np
 
 from .. import catalog
 from ..arrays import Array
+from ..boundary.boundary import Boundary
 from ..parameters import MILLIMETRES, Size
+from ..solids.convergence import ApproximationError
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 
@@ -24,6 +26,8 @@ class Gear(Protocol):
     def upward(self) -> Literal[1, -1]: ...
     @property
     def description(self) -> str: ...
+    @property
+    def boundary(self) -> Boundary: ...
     def sizes(self) -> dict[str, Size]: ...
     def properties(self, density: float = 1.0) -> MassProperties: ...
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
@@ -63,11 +67,15 @@ def units_and_density(length_unit: str, density: float | None) -> tuple[Units, f
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """One part. placement (4, 4) puts it in mesh; the identity for a single part."""
+    """One part. placement (4, 4) puts it in mesh; the identity for a single part.
+
+    convergence   errors of its polyhedra by what is refined, where they are asked for
+    """
 
     gear: Gear
     placement: Array
     properties: MassProperties
+    convergence: Mapping[str, ApproximationError] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -73,12 +73,27 @@ class Outputs:
         ),
     ] = None
     density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None
+    convergence: Annotated[
+        list[Path] | None,
+        Option(
+            help="Errors of polyhedra against the exact properties, and their order; drawn, if a file is named.",
+            consume_multiple=(0, 1),
+            negative_iterable=(),
+            metavar="[FILE.png]",
+        ),
+    ] = None
+
+    @property
+    def plot(self) -> Path | None:
+        """The file that the errors are drawn into."""
+        return self.convergence[0] if self.convergence else None
 
     def problems(self, members: int) -> list[Problem]:
         """What is wrong with these options, for an element of so many members."""
         written = [f.suffix for f in catalog.FILE_FORMATS if f.writer]
         file = self.output if self.output is not None and self.output.suffix else None
-        nameless = [name for name in ("output", "picture") if getattr(self, name) == Path()]
+        files = {"output": self.output, "picture": self.picture, "convergence": self.plot}
+        nameless = [name for name, path in files.items() if path == Path()]
         limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN}
         pairs_only = {"placed": self.placed, "turn": self.turn is not None}
         files_only = {"placed": self.placed, "tolerance": self.tolerance is not None}
@@ -88,6 +103,7 @@ class Outputs:
             *(Problem(option_name(name), "a name is needed") for name in nameless),
             *_wrong_suffix("output", file, written),
             *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
+            *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
             *(
                 Problem(option_name(name), "applies to a pair")
                 for name, given in pairs_only.items()

@@ -13,6 +13,7 @@ from ..errors import ParameterError, Problem, ProblemsError
 from ..parameters import declarations, from_mapping
 from .built import built_from
 from .common_options import DEFAULT, FLATTENED, Outputs
+from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
 from .json_output import built_json
 from .options import given_values, offered, option_name, signature_parameters, teeth_given
@@ -41,8 +42,15 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
         values = given_values(parameters, words)
         element = _element(kind, kinds, values, outputs)
         built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
+        if outputs.convergence is not None:
+            built = with_convergence(built)
         written = write(built, outputs)
+        if outputs.plot is not None:
+            plot_parts(built, outputs.plot)
+            written.append(outputs.plot)
         print(built_json(built)) if outputs.json else show_built(built)
+        if outputs.convergence is not None and not outputs.json:
+            show_convergence(built)
         for remark in element.remarks:
             print(f"note: {text_in_options(remark, _names(kind))}", file=sys.stderr)
         for path in written:

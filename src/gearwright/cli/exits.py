@@ -69,7 +69,9 @@ def _option_message(error: CycloptsError) -> str:
         case UnusedCliTokensError():
             text = f"No option takes this: {' '.join(error.unused_tokens or ())}"
         case ConsumeMultipleError(argument=argument) if argument:
-            text = f"{argument.name}: one or two values are accepted, not {error.actual_count}."
+            optional = argument.parameter.consume_multiple == (0, 1)
+            accepted = "at most one value is" if optional else "one or two values are"
+            text = f"{argument.name}: {accepted} accepted, not {error.actual_count}."
         case MissingArgumentError(argument=argument) if argument:
             text = f"{error.keyword or argument.parameter.metavar or argument.name}: a value is needed."
         case _:

@@ -38,12 +38,15 @@ def json_line(document: Mapping[str, Any], indent: int | None = None) -> str:
 
 
 def _part(part: Part, units: Units) -> dict[str, Any]:
-    return {
+    document = {
         "parameters": _parameters(part.gear),
         "sizes": _sizes(part.gear.sizes(), units),
         "placement": part.placement,
         "properties": properties_json(part.properties, units),
     }
+    if part.convergence:
+        document["convergence"] = {name: study.to_dict() for name, study in part.convergence.items()}
+    return document
 
 
 def _parameters(element: Any) -> dict[str, Any]:

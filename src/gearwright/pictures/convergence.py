@@ -153,10 +153,10 @@ def _count_ticks(axes: Axes, panel: Panel) -> None:
 
 
 def _leave_room(axes: Axes, panels: Sequence[Panel]) -> None:
-    """Widens the common error axis downwards, as far as the longest legend needs below the curves' ends."""
-    entries = max(len(panel.series) for panel in panels)
+    """Widens the common error axis downwards, so that the longest legend lies below all curves."""
+    share = 0.057 * max(len(panel.series) for panel in panels)
     bottom, top = axes.get_ylim()
-    axes.set_ylim(bottom * (bottom / top) ** (0.05 * entries), top)
+    axes.set_ylim(bottom * (bottom / top) ** (share / (1.0 - share)), top)
 
 
 def _show_slopes(axes: Axes) -> None:

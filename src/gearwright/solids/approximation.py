@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from numbers import Integral, Real
 from typing import Protocol, get_args, runtime_checkable
 
@@ -31,9 +32,10 @@ from .solid import DEFAULT_TOLERANCE
 
 RELATIVE_TOLERANCES = (1e-3, 3e-4, 1e-4, 3e-5)
 """Chord tolerances taken where none are given, in bounding diagonals."""
-SEGMENTS = (4, 8, 16, 32)
+SEGMENTS = (4, 8, 16)
 LAYERS = (4, 8, 16, 32)
 
+_CAPS = 1.2  # tolerance of curved end faces over the depth of the chords that border them: below 1.1 it cannot be kept
 _ROUNDING = 16.0 * float(np.finfo(float).eps)
 
 
@@ -152,9 +154,9 @@ def _rounding(found: Sequence[_Moments], exact: _Moments, diagonal: float) -> fl
 
 def _cut(boundary: Boundary, across: int, layers: int, diagonal: float) -> Sampling:
     """So many segments and layers, and curved caps as fine as the chords: plane ones have no inner points."""
-    fineness = sagitta(boundary, int(across))
-    coarsest = DEFAULT_TOLERANCE * diagonal
-    return fixed_sampling(boundary, int(across), int(layers), fineness if fineness > _ROUNDING * diagonal else coarsest)
+    found = fixed_sampling(boundary, int(across), int(layers), DEFAULT_TOLERANCE * diagonal)
+    fineness = _CAPS * sagitta(boundary, found)
+    return found if fineness <= _ROUNDING * diagonal else replace(found, tolerance=fineness)
 
 
 def _no_solid(solid: object) -> list[Problem]:

@@ -22,7 +22,7 @@ _TITLES: dict[Refined, str] = {
 }
 _LABELS = {"volume": "volume", "centroid": "centroid / diagonal", "inertia": "inertia"}
 _FALLING = 0.25  # an order up to that: nothing is gained by refining
-_DISAGREE = "so that what it is measured from is not what it tends to"
+_STRAY = 1.5  # from a power of the step, as a factor: more is not an order
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,9 +97,14 @@ class ApproximationError:
         cells = [[self.refined, *(["triangles"] if counted else []), *QUANTITIES]]
         for row in self.rows:
             count = [str(row.triangles)] if counted else []
-            cells.append([f"{row.step:.4g}", *count, f"{row.volume:+.2e}", f"{row.centroid:.2e}", f"{row.inertia:.2e}"])
+            cells.append([f"{row.step:.4g}", *count, *(self._cell(name, getattr(row, name)) for name in QUANTITIES)])
         orders = ["–" if order is None else f"{order:.2f}" for order in self.orders.values()]
         return [*cells, ["order", *([""] if counted else []), *orders]]
+
+    def _cell(self, name: str, error: float) -> str:
+        if abs(error) <= self.rounding:
+            return "rounding"
+        return f"{error:+.2e}" if name == "volume" else f"{error:.2e}"
 
     def plot(self, path: str | Path, length_unit: str = "mm") -> None:
         """Draws the errors, log over log, into a PNG or SVG file. Raises FileError, MachineError."""
@@ -113,36 +118,58 @@ class ApproximationError:
         return steps[:count], errors[:count]
 
     def _order(self, name: str) -> float | None:
-        steps, errors = self.measured(name)
-        if len(steps) < 2 or len(np.unique(np.sign(errors))) > 1:
-            return None
-        slope = float(np.polyfit(np.log(steps), np.log(np.abs(errors)), 1)[0])
-        return slope if self.refined == "tolerance" else -slope
+        return None if self._without_order(name) else self._slope(name)[0]
 
-    def _remark(self, name: str) -> str:
-        order = self._order(name)
-        if order is not None:
-            return "" if order > _FALLING else f"the error does not fall: its order is {order:.2f}, {_DISAGREE}"
+    def _slope(self, name: str) -> tuple[float, float]:
+        """Slope of the straight line through the logarithms, and by which factor the errors stray from it at most."""
+        steps, errors = self.measured(name)
+        finer = np.log(steps if self.refined == "tolerance" else 1.0 / steps)
+        heights = np.log(np.abs(errors))
+        line = np.polyfit(finer, heights, 1)
+        return float(line[0]), float(np.exp(np.max(np.abs(heights - np.polyval(line, finer)))))
+
+    def _without_order(self, name: str) -> str:
+        """Why there is no order to measure; empty where there is one."""
+        _, errors = self.measured(name)
         if all(abs(getattr(row, name)) <= self.rounding for row in self.rows):
             return "exact to rounding, so that it has no order"
-        if len(self.measured(name)[0]) < 2:
+        if len(errors) < 2:
             return "no order, since the error is no more than rounding at some steps, but more at others"
-        return "no order, since the error changes its sign"
+        if len(np.unique(np.sign(errors))) > 1:
+            return "no order, since the error changes its sign"
+        if self._slope(name)[1] > _STRAY:
+            return f"no order, since the error does not follow a power of the step within a factor of {_STRAY:g}"
+        return ""
+
+    def _remark(self, name: str) -> str:
+        reason = self._without_order(name)
+        if reason or (order := self._slope(name)[0]) > _FALLING:
+            return reason
+        return f"the error does not fall: its order is {order:.2f}, measured from what it does not tend to"
 
 
 def plot_convergence(
-    studies: Sequence[ApproximationError], path: str | Path, title: str = "", length_unit: str = "mm"
+    studies: Sequence[ApproximationError],
+    path: str | Path,
+    title: str = "",
+    length_unit: str = "mm",
+    names: Sequence[str] = (),
 ) -> None:
     """Draws studies, log over log, into a PNG or SVG file, one panel for each quantity that they refine.
 
+    names   what tells studies in one panel apart, one for each study; their diagonals if not given
+
     Raises FileError for another suffix or no folder, MachineError if the disk refuses, ValueError without studies.
     """
-    kinds = dict.fromkeys(study.refined for study in studies)
-    panels = [_panel(kind, [one for one in studies if one.refined == kind], length_unit) for kind in kinds]
+    known = names or [study.diagonals for study in studies]
+    kinds: dict[Refined, list[tuple[str, ApproximationError]]] = {}
+    for name, study in zip(known, studies, strict=True):
+        kinds.setdefault(study.refined, []).append((name, study))
+    panels = [_panel(kind, group, length_unit) for kind, group in kinds.items()]
     convergence_plot(panels, path, title)
 
 
-def _panel(kind: Refined, studies: Sequence[ApproximationError], length_unit: str) -> Panel:
+def _panel(kind: Refined, studies: Sequence[tuple[str, ApproximationError]], length_unit: str) -> Panel:
     labels = {
         "tolerance": f"chord tolerance ({length_unit})",
         "segments": "segments a section curve",
@@ -151,14 +178,14 @@ def _panel(kind: Refined, studies: Sequence[ApproximationError], length_unit: st
     several = len(studies) > 1
     series = [
         Series(
-            label=f"{_LABELS[name]}, {study.diagonals or study.against}" if several else _LABELS[name],
+            label=f"{_LABELS[name]}, {which}" if several else _LABELS[name],
             quantity=QUANTITIES.index(name),
             style=number,
             steps=steps,
             errors=np.abs(errors),
             order=order,
         )
-        for number, study in enumerate(studies)
+        for number, (which, study) in enumerate(studies)
         for name, order in study.orders.items()
         for steps, errors in [study.measured(name)]
         if len(steps)
