@@ -1,15 +1,15 @@
 """What the README shows is what happens."""
 
-import re
 import shlex
-from pathlib import Path
 
 import pytest
 
 from gearwright.cli import main
 
-README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```(\w+)\n(.*?)```", README, flags=re.DOTALL)
+from .pages import ROOT, blocks, links
+
+README = ROOT / "README.md"
+BLOCKS = blocks(README)
 COMMANDS = [
     line.strip()
     for kind, text in BLOCKS
@@ -37,6 +37,6 @@ def test_the_commands_run_in_their_order(tmp_path, monkeypatch, capsys):
         assert capsys.readouterr().out
 
 
-@pytest.mark.parametrize("link", re.findall(r"\]\(([^)#:]+)\)", README))
-def test_links_lead_somewhere(link):
-    assert (Path(__file__).parents[1] / link).exists()
+@pytest.mark.parametrize("file", links(README), ids=lambda file: file.name)
+def test_links_lead_somewhere(file):
+    assert file.exists()

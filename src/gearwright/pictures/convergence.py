@@ -136,6 +136,7 @@ def _draw(axes: Axes, panel: Panel) -> None:
         _count_ticks(axes, panel)
     else:
         axes.invert_xaxis()
+        axes.xaxis.set_major_formatter(lambda length, _: f"{length:g}")
     if panel.series:
         axes.legend(loc="lower left", frameon=False, fontsize=_SMALL, borderaxespad=0.2, labelspacing=0.3)
     else:
