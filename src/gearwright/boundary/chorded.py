@@ -11,6 +11,7 @@ import numpy as np
 
 from ..arrays import Array, Indices
 from ..curves.curve import in_panels
+from ..errors import GeometryError, Problem
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.flux import flux_moments
 from ..moments.matrix import patterned
@@ -20,6 +21,7 @@ from .faces import Patch
 from .sampling import Sampling, section_edges
 from .tessellation import tessellate_caps
 
+_NOTHING = 1e-12  # volume over the cube of the size
 _NODES_OF_A_CHORD = 2  # along a chord r·n is linear and r rᵀ quadratic: Gauss–Legendre is exact for cubics
 
 
@@ -29,7 +31,7 @@ def chorded_moments(boundary: Boundary, sampling: Sampling, middle: Array) -> Bo
     middle   a point (3,) in the middle of the body, about which they are taken: on the axis where there is a pattern
 
     The ruled faces by flux, Gauss–Legendre with nodes along the motion increased until it settles; the
-    triangles of the caps, which are planar, exactly.
+    triangles of the caps, which are planar, exactly. Raises GeometryError where the chords enclose nothing.
     """
     section = section_edges(boundary)
     turned = any(patch.pattern.order > 1 for patch in boundary.patches)
@@ -47,6 +49,11 @@ def chorded_moments(boundary: Boundary, sampling: Sampling, middle: Array) -> Bo
         return (caps + sides) / unit
 
     scaled, error = converged(integral)
+    if not scaled[0, 0] > _NOTHING:
+        raise GeometryError(
+            "Nothing is left of the solid with so few chords",
+            [Problem(f"{max(sampling.segments[edge] for edge in section)} chords a section curve", "take more")],
+        )
     return about_centroid(scaled * unit, "quadrature", error, origin)
 
 

@@ -95,13 +95,15 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
 def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: float) -> Sampling:
     """So many segments along every section edge and so many layers along all others, for convergence studies.
 
-    A closed edge counts as six, so that few segments still enclose something.
+    A closed edge counts as six, so that few segments still enclose something; edges of no patch are straight.
     """
-    section = section_edges(boundary)
-    segments = {
-        edge: (across if edge in section else layers) * (_FEWEST_CLOSED if edge.closed else 1)
-        for edge in boundary.edges
-    }
+    groups, section = _Groups(boundary), section_edges(boundary)
+    swept = {use.edge for patch in boundary.patches for use in patch.sides}
+    whole = {groups.of(edge) for edge in swept if edge.closed}
+    segments = dict.fromkeys(boundary.edges, 1)
+    for edge in swept:
+        turns = _FEWEST_CLOSED if groups.of(edge) in whole else 1
+        segments[edge] = turns * (across if edge in section else layers)
     return Sampling(segments=segments, tolerance=tolerance)
 
 

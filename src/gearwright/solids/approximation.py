@@ -20,7 +20,7 @@ import numpy as np
 from ..boundary.boundary import Boundary
 from ..boundary.chorded import chorded_moments, sagitta
 from ..boundary.extent import rough_diagonal
-from ..boundary.sampling import MOST_TRIANGLES, Sampling, fixed_sampling
+from ..boundary.sampling import MOST_TRIANGLES, Sampling, fixed_sampling, sampling, section_edges
 from ..boundary.tessellation import Diagonals, tessellate
 from ..errors import GeometryError, Problem
 from ..moments.body import BodyMoments
@@ -33,7 +33,7 @@ from .solid import DEFAULT_TOLERANCE
 RELATIVE_TOLERANCES = (1e-3, 3e-4, 1e-4, 3e-5)
 """Chord tolerances taken where none are given, in bounding diagonals."""
 SEGMENTS = (4, 8, 16)
-LAYERS = (4, 8, 16, 32)
+_FEWEST_LAYERS, _COARSE = 4, 1e-2  # layers to start from, or more where this tolerance over the diagonal asks for them
 
 _CAPS = 1.2  # tolerance of curved end faces over the depth of the chords that border them: below 1.1 it cannot be kept
 _ROUNDING = 16.0 * float(np.finfo(float).eps)
@@ -94,29 +94,31 @@ def section_refinement(solid: Bounded, segments: Sequence[int] = SEGMENTS) -> Ap
 
 
 def layer_refinement(
-    solid: Bounded, layers: Sequence[int] = LAYERS, segments: int = 8, diagonals: Diagonals = "alternating"
+    solid: Bounded, layers: Sequence[int] | None = None, segments: int = 8, diagonals: Diagonals = "alternating"
 ) -> ApproximationError:
     """Errors of polyhedra of so many layers a smooth span against the solid with the same chords and no layers.
 
+    layers      at least two different numbers; some that suit the solid if not given, each twice the one before
     segments    chords of every section curve
     diagonals   "alternating", as polyhedra have them, or "fixed": one and the same in every quad
 
     Raises GeometryError for fewer than two different numbers, too large ones, or a body without exact properties.
     """
-    problems = [*_no_solid(solid), *_unusable("layers", layers, _NUMBERS)]
+    problems = [*_no_solid(solid), *([] if layers is None else _unusable("layers", layers, _NUMBERS))]
     if not _is_number(segments):
         problems.append(Problem(f"segments = {segments!r}", "a whole number of at least 1 is needed"))
     if diagonals not in get_args(Diagonals):
         problems.append(Problem(f"diagonals = {diagonals!r}", f"choose one of {', '.join(get_args(Diagonals))}"))
     _refuse(problems)
     boundary = solid.boundary
-    _refuse(_too_many(boundary, "layers", segments, max(layers)))
     diagonal = rough_diagonal(boundary)
+    chosen = _suitable_layers(boundary, diagonal) if layers is None else layers
+    _refuse(_too_many(boundary, "layers", segments, max(chosen)))
     limit = chorded_moments(boundary, _cut(boundary, segments, 1, diagonal), solid.properties().centroid)
     found = []
-    for n in sorted(layers):
+    for n in sorted(chosen):
         polyhedron = Polyhedron(*tessellate(boundary, _cut(boundary, segments, n, diagonal), diagonals))
-        found.append((float(n), len(polyhedron.offsets) - 1, polyhedron.properties()))
+        found.append((float(n), len(polyhedron.offsets) - 1, _properties(polyhedron, n)))
     return ApproximationError(
         refined="layers",
         against=f"the solid with its section curves cut into {segments} chords each, swept without layers",
@@ -127,6 +129,7 @@ def layer_refinement(
 
 
 _Moments = MassProperties | BodyMoments
+_REFUSED = "The error of this approximation cannot be measured"
 _LENGTHS, _NUMBERS = "finite lengths greater than 0", "whole numbers of at least 1"
 
 
@@ -157,6 +160,22 @@ def _cut(boundary: Boundary, across: int, layers: int, diagonal: float) -> Sampl
     found = fixed_sampling(boundary, int(across), int(layers), DEFAULT_TOLERANCE * diagonal)
     fineness = _CAPS * sagitta(boundary, found)
     return found if fineness <= _ROUNDING * diagonal else replace(found, tolerance=fineness)
+
+
+def _suitable_layers(boundary: Boundary, diagonal: float) -> list[int]:
+    """Numbers of layers, the least of which follow the motion at least roughly."""
+    found, section = sampling(boundary, _COARSE * diagonal).segments, section_edges(boundary)
+    open_edges = [edge for edge in boundary.edges if edge not in section and not edge.closed]
+    least = max([_FEWEST_LAYERS, *(found[edge] for edge in open_edges)])
+    return [least, 2 * least, 4 * least, 8 * least]
+
+
+def _properties(polyhedron: Polyhedron, layers: int) -> MassProperties:
+    try:
+        return polyhedron.properties()
+    except GeometryError as error:
+        reason = f"so few that the polyhedron is no solid ({error.problems[0]}); take more"
+        raise GeometryError(_REFUSED, [Problem(f"layers = {layers}", reason)]) from None
 
 
 def _no_solid(solid: object) -> list[Problem]:
@@ -203,4 +222,4 @@ def _too_many(boundary: Boundary, name: str, across: int, layers: int) -> list[P
 
 def _refuse(problems: Sequence[Problem]) -> None:
     if problems:
-        raise GeometryError("The error of this approximation cannot be measured", problems)
+        raise GeometryError(_REFUSED, problems)
