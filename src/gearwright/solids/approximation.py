@@ -174,7 +174,7 @@ def _properties(polyhedron: Polyhedron, layers: int) -> MassProperties:
     try:
         return polyhedron.properties()
     except GeometryError as error:
-        reason = f"so few that the polyhedron is no solid ({error.problems[0]}); take more"
+        reason = f"so few that the polyhedron is no solid ({error.problems[0].subject}); take more"
         raise GeometryError(_REFUSED, [Problem(f"layers = {layers}", reason)]) from None
 
 
