@@ -7,6 +7,7 @@ import gearwright as gw
 from gearwright.boundary.chorded import chorded_moments, sagitta
 from gearwright.boundary.sampling import fixed_sampling
 from gearwright.boundary.tessellation import tessellate, tessellate_caps
+from gearwright.curves.arc import Arc
 
 from ..laws.topology import volume
 
@@ -67,6 +68,20 @@ def test_polyhedra_of_ever_more_layers_tend_to_it(part):
     limit = chorded_moments(boundary, found[0], part.properties().centroid).volume
     assert limit == pytest.approx(fine + (fine - coarse) / 3.0, rel=2e-8)
     assert abs(coarse / limit - 1.0) > 1e-6
+
+
+def test_the_point_they_are_taken_about_makes_no_difference():
+    boundary = BORED_BEVEL.boundary
+    found = fixed_sampling(boundary, 3, 1, 0.1)
+    near, far = (chorded_moments(boundary, found, np.array(point)) for point in ([0.0, 0.0, 15.0], [4.0, -3.0, 2.0]))
+    assert far.volume == pytest.approx(near.volume, rel=1e-13)
+    assert far.centroid == pytest.approx(near.centroid, abs=1e-12)
+
+
+def test_chords_that_enclose_nothing_are_refused():
+    lens = gw.Section.outline([Arc(radius=1.0, interval=(k * np.pi, (k + 1) * np.pi)) for k in (0, 1)])
+    with pytest.raises(gw.GeometryError, match="1 chords a section curve: take more"):
+        moments(gw.extrude(lens, 1.0), 1)
 
 
 def test_caps_alone_are_those_of_the_whole():

@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from gearwright import SpurGear, approximation_error
+import gearwright as gw
 
 SPUR = "spur --teeth 8 --module 4 --face-width 20".split()
 
@@ -26,8 +26,8 @@ def test_the_table_shows_each_study_and_its_order(run):
 def test_json_holds_what_python_finds(run):
     found = json.loads(run(*SPUR, "--convergence", "--json").out)["convergence"]
     assert list(found) == ["tolerance", "segments", "layers"]
-    gear = SpurGear(teeth=8, module=4.0, face_width=20.0)
-    assert found["tolerance"] == approximation_error(gear).to_dict()
+    gear = gw.SpurGear(teeth=8, module=4.0, face_width=20.0)
+    assert found["tolerance"] == gw.approximation_error(gear).to_dict()
     assert found["layers"]["orders"] == {"volume": None, "centroid": None, "inertia": None}
 
 
@@ -40,7 +40,15 @@ def test_a_pair_has_both_members_in_one_plot(run, pair_options, tmp_path):
     outcome = run("bevel", *pair_options, "--convergence", file, "--json")
     assert outcome.code == 0, outcome.err
     assert f"wrote {file}" in outcome.err
-    assert file.read_bytes().startswith(b"<?xml")
+    pair = gw.BevelPair(teeth=(16, 20), module=4.0, face_width=15.0)
+    studies = [
+        study(member)
+        for member in (pair.pinion, pair.gear)
+        for study in (gw.approximation_error, gw.section_refinement, gw.layer_refinement)
+    ]
+    title = f"Errors of polyhedra, bevel pair: {pair.description}"
+    gw.plot_convergence(studies, tmp_path / "own.svg", title=title, names=3 * ["pinion"] + 3 * ["gear"])
+    assert file.read_bytes() == (tmp_path / "own.svg").read_bytes()
     found = json.loads(outcome.out)
     assert found["pinion"]["convergence"] != found["gear"]["convergence"]
     assert "convergence" not in found["pair"]

@@ -58,6 +58,7 @@ def test_order_one_in_the_tolerance():
     found = gw.approximation_error(TAPERED)
     assert found.orders == close_to(1.0, 0.05)
     assert not found.remarks
+    assert found.diagonals == "alternating"
     assert [row.step for row in found.rows] == sorted((row.step for row in found.rows), reverse=True)
     assert all(row.volume < 0.0 for row in found.rows)
 
@@ -151,6 +152,8 @@ def study_of(*volumes, rounding=1e-14):
     [
         ((4e-2, 1e-2, 2.5e-3), 2.0, None),
         ((-8e-3, -4e-3, -2e-3), 1.0, None),
+        ((4e-2, 1.7e-2, 2.5e-3), 2.0, None),
+        ((4e-2, 2e-2, 2.5e-3), None, "does not follow a power"),
         ((4e-8, 1e-8, 1e-15, 2e-15), 2.0, None),
         ((1e-3, -1e-4, -1e-5), None, "changes its sign"),
         ((1e-3, 1e-9, 1e-6), None, "does not follow a power"),
@@ -179,6 +182,18 @@ def test_the_table_and_the_dictionary_say_the_same():
     assert table.splitlines()[-1].split() == ["order", "2.00", "2.00", "2.00"]
 
 
+def test_a_plot_tells_studies_apart_by_their_diagonals_or_by_names(tmp_path):
+    studies = [layers_of_tapered(), layers_of_tapered("fixed", (128, 256))]
+    for file, names in (("plain", ()), ("same", ("alternating", "fixed")), ("other", ("pinion", "gear"))):
+        gw.plot_convergence(studies, tmp_path / f"{file}.svg", names=names)
+    plain, same, other = ((tmp_path / f"{file}.svg").read_bytes() for file in ("plain", "same", "other"))
+    assert plain == same != other
+    with pytest.raises(ValueError, match="1 names for 2 studies"):
+        gw.plot_convergence(studies, tmp_path / "one.svg", names=["pinion"])
+    studies[0].plot(tmp_path / "alone.svg")
+    assert (tmp_path / "alone.svg").read_bytes() != plain
+
+
 @pytest.mark.parametrize("part", PARTS[:: len(PARTS) // 6], ids=str)
 def test_every_element_can_be_studied(part):
     volumes = [abs(row.volume) for row in gw.section_refinement(built(part), (4, 8)).rows]
@@ -197,7 +212,11 @@ def test_every_element_can_be_studied(part):
     ids=["cone", "wedge of a cone", "ring", "spring"],
 )
 def test_turns_and_paths_have_order_two_in_their_layers(solid):
-    assert gw.layer_refinement(solid).orders["volume"] == pytest.approx(2.0, abs=0.05)
+    found = gw.layer_refinement(solid)
+    assert found.orders["volume"] == pytest.approx(2.0, abs=0.05)
+    steps = [row.step for row in found.rows]
+    assert steps[0] >= 4
+    assert steps[1:] == [2 * step for step in steps[:-1]]
 
 
 def refused(call):
@@ -225,6 +244,7 @@ def test_what_would_be_too_fine_or_too_coarse_is_refused():
     text = refused(lambda: gw.section_refinement(TAPERED, (4, 10**7)))
     assert "segments = 10000000: more than 20000000 triangles; at most" in text
     most = int(text.split("at most ")[1].split()[0])
+    assert f"segments = {most + 1}" in refused(lambda: gw.section_refinement(TAPERED, (4, most + 1)))
     assert 2 * 4 * most <= 20_000_000 < 2 * 4 * (most + 1)  # two triangles a segment of four curves
     assert "layers = 10000000" in refused(lambda: gw.layer_refinement(TAPERED, (4, 10**7)))
     most_of_a_turn = gw.revolve(gw.Section.circle(1.0, (3.0, 0.0)), 350.0)

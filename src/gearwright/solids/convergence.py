@@ -159,8 +159,11 @@ def plot_convergence(
 
     names   what tells studies in one panel apart, one for each study; their diagonals if not given
 
-    Raises FileError for another suffix or no folder, MachineError if the disk refuses, ValueError without studies.
+    Raises FileError for another suffix or no folder, MachineError if the disk refuses, ValueError without studies,
+    or for more or fewer names.
     """
+    if names and len(names) != len(studies):
+        raise ValueError(f"{len(names)} names for {len(studies)} studies: one for each is needed")
     known = names or [study.diagonals for study in studies]
     kinds: dict[Refined, list[tuple[str, ApproximationError]]] = {}
     for name, study in zip(known, studies, strict=True):
