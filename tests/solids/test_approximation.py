@@ -247,6 +247,9 @@ def test_what_would_be_too_fine_or_too_coarse_is_refused():
     assert f"segments = {most + 1}" in refused(lambda: gw.section_refinement(TAPERED, (4, most + 1)))
     assert 2 * 4 * most <= 20_000_000 < 2 * 4 * (most + 1)  # two triangles a segment of four curves
     assert "layers = 10000000" in refused(lambda: gw.layer_refinement(TAPERED, (4, 10**7)))
+    cylinder = gw.extrude(gw.Section.circle(1.0), 2.0)
+    least = 20_000_000 // 12 + 1  # two triangles for each sixth of the circle
+    assert "at most 1666666 are" in refused(lambda: gw.section_refinement(cylinder, (4, least)))
     most_of_a_turn = gw.revolve(gw.Section.circle(1.0, (3.0, 0.0)), 350.0)
     text = refused(lambda: gw.layer_refinement(most_of_a_turn, (1, 2)))
     assert "layers = 1: so few that the polyhedron is no solid" in text

@@ -212,7 +212,8 @@ def _is_number(value: object) -> bool:
 
 
 def _too_many(boundary: Boundary, name: str, across: int, layers: int) -> list[Problem]:
-    triangles = sum(2 * patch.pattern.order for patch in boundary.patches) * int(across) * int(layers)
+    cut = fixed_sampling(boundary, int(across), int(layers), 1.0).segments
+    triangles = sum(2 * p.pattern.order * cut[p.sides[0].edge] * cut[p.sides[1].edge] for p in boundary.patches)
     if triangles <= MOST_TRIANGLES:
         return []
     given = across if name == "segments" else layers
