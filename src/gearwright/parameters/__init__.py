@@ -1,0 +1,35 @@
+"""Parameters of elements: declared once, checked here; options, schema and forms are derived from them.
+
+An element is a frozen keyword-only dataclass whose fields are made by `declared`. Nothing here
+imports numpy, so that an edge can list every option without loading a kernel.
+"""
+
+from .declaration import Declaration, declarations, declared, member_value
+from .forms import FileName, Numbers, Points, Several, Table
+from .parameter import Form, Parameter, did_you_mean
+from .problems import Problems, from_mapping
+from .units import LEAST, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down
+
+__all__ = [
+    "LEAST",
+    "MILLIMETRES",
+    "MOST",
+    "Declaration",
+    "FileName",
+    "Form",
+    "Numbers",
+    "Parameter",
+    "Points",
+    "Problems",
+    "Several",
+    "Size",
+    "Table",
+    "Unit",
+    "declarations",
+    "declared",
+    "did_you_mean",
+    "from_mapping",
+    "in_words",
+    "member_value",
+    "rounded_down",
+]

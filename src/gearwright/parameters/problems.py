@@ -1,0 +1,141 @@
+"""What is wrong with an element's parameters, collected and raised all together."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, TypeVar
+
+from ..errors import ParameterError, Problem, ProblemsError
+from .declaration import Declaration, declarations
+from .parameter import did_you_mean, is_number, is_whole
+from .units import in_words
+
+T = TypeVar("T")
+
+
+class Problems:
+    """Collects what is wrong with one element's parameters, to raise it all together.
+
+    First it makes the element's values plain: lists become tuples, numpy's numbers become Python's, whose
+    arithmetic is always in double precision.
+    """
+
+    def __init__(self, element: Any):
+        self._element = element
+        self._declared = {d.name: d for d in declarations(type(element))}
+        self._found: list[Problem] = []
+        self._names: set[str] = set()
+        for declaration in self._declared.values():
+            value = _plain(getattr(element, declaration.name))
+            object.__setattr__(element, declaration.name, value)
+            for problem in declaration.problems(value):
+                self.add(declaration.name, problem)
+
+    def add(self, name: str, message: str) -> None:
+        """Adds a problem of the named parameter, shown with its value and unit."""
+        unit = getattr(self._element, "length_unit", "mm")
+        self._found.append(_problem(self._declared[name], getattr(self._element, name), message, str(unit)))
+        self._names.add(name)
+
+    def add_of(self, name: str, error: ProblemsError) -> None:
+        """Adds what was found wrong with the thing that the named parameter gives."""
+        self._found += [Problem(f"{name}: {problem.subject}", problem.message) for problem in error.problems]
+        self._names.add(name)
+
+    def add_members(self, members: Mapping[str, Callable[[], object]], settled: Collection[str] = ()) -> None:
+        """Builds members of the element and adds their problems, once where they share them.
+
+        Problems of parameters that are already named here are left out, and so are `settled` ones, which
+        the element itself sets from a parameter of its own.
+        """
+        known = {*self._names, *settled}
+        found: dict[Problem, list[str]] = {}
+        for member, build in members.items():
+            try:
+                build()
+            except ParameterError as error:
+                for problem in error.problems:
+                    found.setdefault(problem, []).append(member)
+        for problem, owners in found.items():
+            name = problem.subject.split(" = ")[0]
+            if name not in known:
+                prefix = "" if len(owners) == len(members) else f"{owners[0]} "
+                self._found.append(Problem(prefix + problem.subject, problem.message))
+                self._names.add(name)
+
+    def computable(self, *names: str) -> bool:
+        """Whether the named parameters, as far as given, are finite numbers of the right sign or known words.
+
+        Limits may still be exceeded; what follows from the values can be computed and checked.
+        """
+        return all(self._declared[name].computable(getattr(self._element, name)) for name in names)
+
+    def counted(self) -> bool:
+        """Whether every parameter has as many values as it should."""
+        return not any(d.miscounted(getattr(self._element, name)) for name, d in self._declared.items())
+
+    def sound(self, *names: str) -> bool:
+        """Whether none of the named parameters (all, if none is named) has a problem yet."""
+        return not (self._names & set(names) if names else self._names)
+
+    def raise_any(self) -> None:
+        """Raises ParameterError if there is any problem."""
+        if self._found:
+            raise ParameterError(type(self._element).__name__, self._found)
+
+
+def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
+    """Builds an element from names and values, naming the unknown, the missing and the wrong together.
+
+    Raises ParameterError.
+    """
+    known = {d.name: d for d in declarations(element)}
+    own = {name: _plain(value) for name, value in values.items() if name in known}
+    found = [
+        Problem(
+            f"{name} = {in_words(value, '', '')}",
+            f"{element.__name__} has no such parameter{did_you_mean(name, known)}; it has {', '.join(known)}",
+        )
+        for name, value in values.items()
+        if name not in known
+    ]
+    missing = [d for d in known.values() if d.required and d.name not in own]
+    if missing:
+        found += [Problem(d.name, f"is needed: {d.parameter.meaning}") for d in missing]
+        unit = str(own.get("length_unit", "mm"))
+        found += [
+            _problem(known[name], value, problem, unit)
+            for name, value in own.items()
+            for problem in known[name].problems(value)
+        ]
+        raise ParameterError(element.__name__, found)
+    try:
+        built = element(**own)
+    except ParameterError as error:
+        raise ParameterError(element.__name__, [*found, *error.problems]) from None
+    if found:
+        raise ParameterError(element.__name__, found)
+    return built
+
+
+def _problem(declaration: Declaration, value: object, message: str, length_unit: str) -> Problem:
+    """A problem of a parameter, shown with its value and unit."""
+    name = declaration.name
+    words = in_words(value, declaration.parameter.unit, length_unit)
+    return Problem(name if value is None else f"{name} = {words}", message)
+
+
+def _plain(value: object) -> object:
+    """A value made of Python's own numbers, tuples, tables and texts."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return {name: _plain(one) for name, one in value.items()}
+    if isinstance(value, tuple | list):
+        return tuple(_plain(one) for one in value)
+    if not is_number(value):
+        return value
+    return int(value) if is_whole(value) else float(value)
