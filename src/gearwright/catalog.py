@@ -76,6 +76,14 @@ ELEMENTS = (
         command="spur",
         origin="on the axis, +z, at one end of the teeth",
     ),
+    Element(
+        name="sweep",
+        summary="a plane section extruded, swept along a path in space, or revolved",
+        source="gearwright.elements.sweep:Sweep",
+        command="sweep",
+        origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
+        " its axis, +z",
+    ),
 )
 
 MOTIONS = (

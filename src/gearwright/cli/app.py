@@ -33,6 +33,8 @@ def build() -> cyclopts.App:
     )
     for name in dict.fromkeys(element.command for element in catalog.ELEMENTS):
         app.command(f"{__package__}.elements:{name}", name=name, help=_help(name))
+    app.command(f"{__package__}.build:build", name="build", help="Build the element that a TOML file describes.")
+    app.command(f"{__package__}.schema:schema", name="schema", help="Print the JSON Schema of those TOML files.")
     app.command(f"{__package__}.properties:properties", name="properties", help="Volumetric properties of STL files.")
     app.command(
         f"{__package__}.check:check", name="check", help="Check STL files: closed, outward, not through itself."

@@ -61,7 +61,14 @@ def _sizes(sizes: Mapping[str, Size], units: Units) -> dict[str, Any]:
 
 
 def _unit(unit: Unit, units: Units) -> str:
-    return {"length": units.length, "angle": "deg", "mm": "mm", "per inch": "1/in", "": ""}[unit]
+    return {
+        "length": units.length,
+        "angle": "deg",
+        "mm": "mm",
+        "per inch": "1/in",
+        "area": f"{units.length}^2",
+        "": "",
+    }[unit]
 
 
 def _plain(value: Any) -> Any:

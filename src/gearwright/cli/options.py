@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -11,7 +11,7 @@ from cyclopts import Group
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..parameters import Declaration, Parameter, declarations, in_words
+from ..parameters import Declaration, FileName, Parameter, declarations, in_words
 
 NEEDED = Group("Needed", sort_key=1)
 SHAPE = Group("Shape", sort_key=2)
@@ -29,9 +29,9 @@ class Offered:
 
 
 def offered(kinds: Mapping[str, type]) -> dict[str, Offered]:
-    """The parameters of several kinds of elements by name, declared as in the first kind that has each."""
+    """The parameters of several kinds of elements that can be typed, by name, as in the first kind that has each."""
     found: dict[str, Offered] = {}
-    for name in dict.fromkeys(d.name for kind in kinds.values() for d in declarations(kind)):
+    for name in dict.fromkeys(d.name for kind in kinds.values() for d in declarations(kind) if d.parameter.typed):
         owners = {kind: d for kind, element in kinds.items() for d in declarations(element) if d.name == name}
         first = next(iter(owners.values()))
         if len({d.members for d in owners.values()}) > 1:
@@ -45,9 +45,9 @@ def option_name(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def teeth_given(kind: catalog.Element) -> str:
-    """What chooses a kind among those of one command."""
-    return f"{option_name('teeth')} with {'one number' if kind.members == 1 else 'two numbers'}"
+def teeth_given(kind: catalog.Element, name_of: Callable[[str], str] = option_name) -> str:
+    """What chooses a kind among those of one command; name_of gives what the user knows a parameter by."""
+    return f"{name_of('teeth')} with {'one number' if kind.members == 1 else 'two numbers'}"
 
 
 def signature_parameters(parameters: Mapping[str, Offered]) -> list[inspect.Parameter]:
@@ -92,7 +92,8 @@ def _help(declaration: Declaration) -> str:
     text = parameter.meaning.rstrip(".")
     if parameter.symbol:
         text += f", {parameter.symbol}"
-    limits = ", ".join(_limits(parameter) or parameter.choices)
+    suffixes = [suffix for form in parameter.forms if isinstance(form, FileName) for suffix in form.suffixes]
+    limits = ", ".join(_limits(parameter) or parameter.choices or suffixes)
     return text + (f" ({limits})" if limits else "")
 
 
@@ -103,7 +104,11 @@ def _limits(parameter: Parameter) -> list[str]:
 
 def _metavar(declaration: Declaration) -> str:
     parameter = declaration.parameter
+    if parameter.kind == "form":
+        return next(form.word for form in parameter.forms if form.word)
     one = "WORD" if parameter.kind == "choice" else _METAVARS[parameter.unit]
+    if parameter.components:
+        return " ".join([one] * len(parameter.components))
     return {"one": one, "both": f"{one} [{one}]", "each": f"{one} {one}"}[declaration.members]
 
 
@@ -113,6 +118,8 @@ def _default(declaration: Declaration) -> str | bool:
     parameter = declaration.parameter
     if parameter.kind == "choice":
         return str(declaration.default)
+    if parameter.components:
+        return " ".join(f"{one:g}" for one in declaration.default)
     return in_words(declaration.default, parameter.unit, "").rstrip()
 
 
@@ -123,7 +130,7 @@ def _value(parameter: Parameter, words: Sequence[str]) -> Any:
 
 def _one_value(parameter: Parameter, word: str) -> Any:
     """A word as the number it stands for; words that stand for none stay, for the element to refuse."""
-    if parameter.kind == "choice" or "_" in word:
+    if parameter.kind in ("choice", "form") or "_" in word:
         return word  # Python would read 1_0 as 10
     try:
         return int(word) if parameter.kind == "integer" else float(word)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..curves.frames import FRAMES
 from ..parameters import MILLIMETRES, Parameter
 
 TEETH = Parameter(meaning="number of teeth", kind="integer", symbol="z", minimum=3, maximum=10_000)
@@ -43,4 +44,33 @@ ROOT = Parameter(
     choices=("radial",),
 )
 BEVEL_ENDS = Parameter(meaning="end faces: spheres about the apex", kind="choice", choices=("spherical",))
+SWEEP_LENGTH = Parameter(meaning="length of a straight sweep along z", unit="length", symbol="L", above=0)
+SWEEP_ANGLE = Parameter(
+    meaning="angle of a revolution about the section's y axis, which becomes z",
+    unit="angle",
+    symbol="θ",
+    above=0,
+    maximum=360,
+)
+FRAME = Parameter(
+    meaning="how the section turns along a path, rotation-minimising if not given",
+    kind="choice",
+    choices=tuple(FRAMES),
+)
+TWIST = Parameter(
+    meaning="angle by which the far end is turned, right-handed if positive; it grows evenly", unit="angle", symbol="φ"
+)
+SCALE = Parameter(
+    meaning="factors of the far end along the section's x and y, reached evenly",
+    symbol="s",
+    above=0,
+    maximum=1e6,
+    components=("x", "y"),
+)
+SKEW = Parameter(
+    meaning="offset of the far end of a straight sweep along x and y",
+    unit="length",
+    symbol="k",
+    components=("x", "y"),
+)
 LENGTH_UNIT = Parameter(meaning="unit of all lengths in and out", kind="choice", choices=tuple(MILLIMETRES))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..parameters import rounded_down
@@ -52,3 +54,19 @@ def internal_bevel(angle: float) -> str:
         f"makes a pitch cone of {np.degrees(angle):.4g}°, an internal bevel gear, which no cutter makes; "
         "take a smaller shaft angle, or teeth numbers closer to each other"
     )
+
+
+TRANSFORM_WITH_TWIST = "takes the place of twist, scale and skew; leave those out, or write them into it"
+
+
+def one_way(given: Sequence[str]) -> str:
+    """For a sweep that is moved in none or several of its ways."""
+    ways = "length (straight along z), path (along a curve in space) or angle (about the section's y axis)"
+    if not given:
+        return f"how the section moves is not said; give one of {ways}"
+    return f"not together with {' and '.join(given[1:])}; give only one of {ways}"
+
+
+def not_of_this_way(way: str, owners: Sequence[str]) -> str:
+    """For what does not apply to a sweep moved in this way."""
+    return f"does not apply to a sweep with {way}, but to one with {' or '.join(owners)}; leave it out"

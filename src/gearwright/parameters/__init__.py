@@ -4,7 +4,7 @@ An element is a frozen keyword-only dataclass whose fields are made by `declared
 imports numpy, so that an edge can list every option without loading a kernel.
 """
 
-from .declaration import Declaration, declarations, declared, member_value
+from .declaration import Declaration, declarations, declared, entry, member_value
 from .forms import FileName, Numbers, Points, Several, Table
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
@@ -28,6 +28,7 @@ __all__ = [
     "declarations",
     "declared",
     "did_you_mean",
+    "entry",
     "from_mapping",
     "in_words",
     "member_value",

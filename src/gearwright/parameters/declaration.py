@@ -27,7 +27,7 @@ class Declaration:
 
     name: str
     parameter: Parameter
-    default: Any = MISSING
+    default: Any
     members: Members = "one"
 
     @property
@@ -72,6 +72,11 @@ class Declaration:
         """The single values that were given."""
         single = self.parameter.kind == "form" or not isinstance(value, tuple | list)
         return (value,) if single else tuple(value)  # type: ignore[arg-type]
+
+
+def entry(name: str, parameter: Parameter, *, default: Any = MISSING) -> Declaration:
+    """The declaration of an entry of a table."""
+    return Declaration(name, parameter, default)
 
 
 def declarations(element: type) -> tuple[Declaration, ...]:

@@ -19,6 +19,10 @@ class FileName:
     keys: tuple[str, ...] = ()
 
     @property
+    def word(self) -> str:
+        return "FILE" + (self.suffixes[0] if len(self.suffixes) == 1 else "")
+
+    @property
     def words(self) -> str:
         return f"the name of a file ({', '.join(self.suffixes)})"
 
@@ -35,6 +39,7 @@ class Points:
 
     coordinates: tuple[str, ...]
     least: int
+    word: str = ""
     keys: tuple[str, ...] = ()
 
     @property
@@ -60,6 +65,7 @@ class Numbers:
     """A list of one or more numbers."""
 
     words: str = "a list of numbers"
+    word: str = ""
     keys: tuple[str, ...] = ()
 
     def fits(self, value: object) -> bool:
@@ -75,6 +81,7 @@ class Several:
     """A list, which may be empty, of values of one form."""
 
     of: Form
+    word: str = ""
     keys: tuple[str, ...] = ()
 
     @property
@@ -96,6 +103,7 @@ class Table:
     """A table of named entries, known from other tables by the name of its first if that is required."""
 
     entries: tuple[Declaration, ...]
+    word: str = ""
 
     @property
     def words(self) -> str:

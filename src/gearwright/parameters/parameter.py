@@ -18,11 +18,14 @@ class Form(Protocol):
     """One of several ways to give a value that is more than a number or a word: a file name, points, a table.
 
     words   what a person gives, as in "a file name"
+    word    what stands for it on a command line, such as "FILE"; "" where it cannot be typed as one word
     keys    the names by which a table of this form is known from others, none where any will do
     """
 
     @property
     def words(self) -> str: ...
+    @property
+    def word(self) -> str: ...
     @property
     def keys(self) -> tuple[str, ...]: ...
     def fits(self, value: object) -> bool:
@@ -58,8 +61,18 @@ class Parameter:
     forms: tuple[Form, ...] = ()
 
     @property
+    def typed(self) -> bool:
+        """Whether a person can type it on a command line."""
+        return self.kind != "form" or any(form.word for form in self.forms)
+
+    @property
     def is_length(self) -> bool:
         return self.unit in ("length", "mm", "per inch")
+
+    @property
+    def is_signed(self) -> bool:
+        """Whether a number may be negative as well as positive."""
+        return self.above is None and self.minimum is None
 
     def problem(self, value: object) -> str | None:
         """Why this single value is not accepted; None where it is."""
@@ -76,7 +89,7 @@ class Parameter:
             return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"
         if not math.isfinite(value):
             return "a finite number is needed"
-        if self.is_length and value > 0 and not LEAST <= value <= MOST:
+        if self.is_length and ((0 < value < LEAST and not self.is_signed) or abs(value) > MOST):
             return f"between {LEAST:g} and {MOST:g} is possible; is it in the right unit?"
         if self.kind == "integer" and not is_whole(value):
             return "a whole number is needed"
@@ -90,7 +103,7 @@ class Parameter:
             return self.problem(value) is None
         if not is_number(value) or not math.isfinite(value):
             return False
-        if self.is_length and value > MOST:
+        if self.is_length and abs(value) > MOST:
             return False
         lowest = self.above if self.above is not None else 0.0 if self.minimum is not None else -math.inf
         inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable
 from numbers import Real
 
@@ -11,6 +12,7 @@ import numpy as np
 from ..arrays import Array, ArrayLike
 from ..curves.frames import FRAMES
 from ..curves.path import Path, path_of, path_through
+from ..curves.path_file import path_from_file
 from ..errors import ParameterError, Problem
 from ..motions.along import Along
 from ..motions.ends import between
@@ -98,26 +100,27 @@ def sweep(
 
 def sweep_along(
     section: Section,
-    path: Path | ArrayLike | Callable[[Array], ArrayLike],
+    path: Path | ArrayLike | Callable[[Array], ArrayLike] | str | os.PathLike[str],
     frame: str = "rotation-minimising",
     transform: Callable[[float], ArrayLike] | None = None,
 ) -> Swept:
     """The solid of a section moved along a path in space, its plane across it and its origin on it.
 
     path        points (n, 3) of a cubic spline, or a function u → point for u from 0 to 1, or a `helix`; closed
-                where its ends meet
+                where its ends meet; or the name of a CSV file of points
     frame       "rotation-minimising", "frenet" (section x towards the centre of curvature) or "fixed-up" (section y
                 as near as possible to +z); at the start section y is as near as possible to +z, else to +x
     transform   as for `sweep`, of the fraction of the path's length from 0 to 1, inside the section's plane
 
     Raises ParameterError; GeometryError where the path is not smooth, the frame not defined, or where the section
-    reaches beyond the path's centre of curvature, with the radius of curvature that would do.
+    reaches beyond the path's centre of curvature, with the radius of curvature that would do; FileError, MachineError
+    where a file of points cannot be used.
     """
     problems = _unless(frame in FRAMES, f"frame = {frame!r}", f"choose one of {', '.join(FRAMES)}")
     if problems:
         raise ParameterError("sweep_along", problems)
     section.require_simple()
-    found = path if isinstance(path, Path) else path_of(path) if callable(path) else path_through(path)
+    found = _path(path)
     mapping = None if transform is None else transform_of(transform, 1.0, TOLERANCE / _SHARE)
     return Swept(section=section, motion=Along(frame=FRAMES[frame](found), transform=mapping), ends=between(0.0, 1.0))
 
@@ -137,6 +140,14 @@ def revolve(section: Section, angle: float = 360.0) -> Swept:
     section.require_simple()
     whole = 2.0 * np.pi if angle == 360.0 else math.radians(angle)
     return Swept(section=section, motion=Revolution(), ends=between(-float(whole), 0.0))
+
+
+def _path(given: Path | ArrayLike | Callable[[Array], ArrayLike] | str | os.PathLike[str]) -> Path:
+    if isinstance(given, Path):
+        return given
+    if isinstance(given, str | os.PathLike):
+        return path_from_file(os.fspath(given))
+    return path_of(given) if callable(given) else path_through(given)
 
 
 def _finite(*values: object) -> bool:

@@ -1,0 +1,34 @@
+"""`gearwright build design.toml`: an element of the catalog from a file of its parameters."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter as Option
+
+from ..errors import ProblemsError
+from .common_options import DEFAULT, FLATTENED
+from .deliver import deliver
+from .design import read_design
+from .kinds import element_of, said
+
+DESIGN = Option(metavar="DESIGN.toml", help="The element and its parameters by their Python names.")
+
+
+def build(
+    design: Annotated[Path, DESIGN],
+    /,
+    *,
+    outputs: FLATTENED = DEFAULT,
+) -> int:
+    """Build the element that a TOML file describes: sizes, properties, files.
+
+    Names of files in it are relative to it. `gearwright schema` says what it may hold.
+    """
+    found = read_design(design)
+    element, problems = element_of(found.kind, found.kinds, found.values, str)
+    problems = problems + outputs.problems(found.kind.members)
+    if problems:
+        raise ProblemsError(f"{design}: a {said(found.kind, found.kinds, str)} cannot be built so", problems)
+    return deliver(found.kind, element, outputs, str)

@@ -1,0 +1,38 @@
+"""What every command that builds an element does with it: results to stdout, files written, remarks noted."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+from .. import catalog
+from .built import built_from
+from .common_options import Outputs
+from .convergence import plot_parts, show_convergence, with_convergence
+from .exits import DONE
+from .json_output import built_json
+from .outputs import write
+from .report import show_built
+
+
+def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Callable[[str], str]) -> int:
+    """Writes the files asked for and prints the element's sizes and properties; gives the exit code.
+
+    wording   turns a remark into the words of the user's input
+    """
+    built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
+    if outputs.convergence is not None:
+        built = with_convergence(built)
+    written = write(built, outputs)
+    if outputs.plot is not None:
+        plot_parts(built, outputs.plot)
+        written.append(outputs.plot)
+    print(built_json(built)) if outputs.json else show_built(built)
+    if outputs.convergence is not None and not outputs.json:
+        show_convergence(built)
+    for remark in element.remarks:
+        print(f"note: {wording(remark)}", file=sys.stderr)
+    for path in written:
+        print(f"wrote {path}", file=sys.stderr)
+    return DONE

@@ -1,0 +1,54 @@
+"""Which kind of element is meant by a command's name and parameters, and that element."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from .. import catalog
+from ..errors import ParameterError, Problem
+from ..parameters import declarations, from_mapping
+from .options import teeth_given
+
+
+def kinds_of(command: str) -> list[catalog.Element]:
+    """The catalog's elements that a command builds, pairs first."""
+    return sorted((kind for kind in catalog.ELEMENTS if kind.command == command), key=lambda kind: -kind.members)
+
+
+def parameter_names(kind: catalog.Element) -> set[str]:
+    """The names of the parameters of a kind."""
+    return {d.name for d in declarations(catalog.load(kind.source))}
+
+
+def chosen(kinds: Sequence[catalog.Element], teeth: object) -> catalog.Element:
+    """The single part where one number of teeth is given, the pair where there are two (or none)."""
+    given = (1, 2) if teeth is None else teeth
+    members = len(given) if isinstance(given, list | tuple) else 1
+    return next((kind for kind in kinds if kind.members == members), kinds[0])
+
+
+def said(kind: catalog.Element, kinds: Sequence[catalog.Element], name_of: Callable[[str], str]) -> str:
+    """A kind in words, with what chooses it where there are several."""
+    return f"{kind.name} ({teeth_given(kind, name_of)})" if len(kinds) > 1 else kind.name
+
+
+def element_of(
+    kind: catalog.Element, kinds: Sequence[catalog.Element], values: Mapping[str, Any], name_of: Callable[[str], str]
+) -> tuple[Any, list[Problem]]:
+    """The element of a kind, None where it cannot be built, and what is wrong with the values.
+
+    name_of   what the user knows a parameter by, where another kind has it that is not built
+    """
+    own = parameter_names(kind)
+    others = {name: other for other in kinds if other != kind for name in parameter_names(other) - own}
+    problems = [
+        Problem(name, f"applies to a {said(others[name], kinds, name_of)}") for name in values if name in others
+    ]
+    try:
+        element = from_mapping(
+            catalog.load(kind.source), {name: value for name, value in values.items() if name not in others}
+        )
+    except ParameterError as error:
+        return None, [*problems, *error.problems]
+    return element, problems
