@@ -19,6 +19,7 @@ from gearwright.parameters import (
 
 COUNT = Parameter(meaning="how many", kind="integer", minimum=2, maximum=9)
 LENGTH = Parameter(meaning="how long", unit="length", above=0)
+SHIFT = Parameter(meaning="how far", unit="length")
 ANGLE = Parameter(meaning="how steep", unit="angle", minimum=0, below=90)
 WORD = Parameter(meaning="which one", kind="choice", choices=("this", "that"))
 
@@ -46,8 +47,9 @@ class Thing:
         (
             LENGTH,
             [1e-12, 1, 2.5, 1e12],
-            [0, 1e-13, 1e13, 10**400, -1e-300, float("nan"), float("-inf"), "1", None, False, (1.0,)],
+            [0, -1e13, 1e-13, 1e13, 10**400, -1e-300, float("nan"), float("-inf"), "1", None, False, (1.0,)],
         ),
+        (SHIFT, [-1e12, -3, -1e-13, 0, 1e-13, 1e12], [-1.1e12, 1.1e12, "1", None]),
         (ANGLE, [0, 0.0, 89.999999], [-1e-9, 90, 90.0, float("inf"), "9", None, True]),
         (WORD, ["this", "that"], ["", "THIS", "thisthat", None, 1, True]),
     ],
@@ -69,6 +71,8 @@ def test_single_values(parameter, good, bad):
         (COUNT, True, "not bool"),
         (LENGTH, 0, "greater than 0"),
         (LENGTH, "1", "number is needed"),
+        (SHIFT, 1e13, "right unit"),
+        (SHIFT, -1e13, "right unit"),
         (LENGTH, float("nan"), "finite"),
         (ANGLE, 90, "less than 90"),
         (WORD, "these", "this, that"),
@@ -105,6 +109,8 @@ def test_formulas_make_sense_of_values_beyond_a_limit_but_not_of_signs(parameter
         (2.0, "per inch", "2 /in"),
         ("wavy", "", "'wavy'"),
         ("15", "length", "'15'"),
+        (True, "length", "True"),
+        ({"circle": 3.0, "centre": (1, 2)}, "", "{circle = 3.0, centre = (1, 2)}"),
     ],
 )
 def test_values_in_words(value, unit, words):
@@ -179,9 +185,9 @@ def test_every_field_of_every_element_is_declared_with_a_meaning(entry):
     for one in found:
         assert one.parameter.meaning
         assert one.parameter.kind != "choice" or one.parameter.choices
-        if not one.required and one.default is not None:
-            values = one.default if one.members == "each" else (one.default,)
-            assert all(one.parameter.problem(value) is None for value in values)
+        assert one.parameter.kind != "form" or one.parameter.forms
+        if not one.required:
+            assert one.problems(one.default) == []
 
 
 def test_member_values():

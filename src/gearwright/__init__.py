@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
     from .elements.spur_gear import SpurGear
+    from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
     from .moments.polyhedron import mass_properties
     from .sections.plane import Section
@@ -38,6 +39,7 @@ __all__ = [
     "Problem",
     "Section",
     "SpurGear",
+    "Sweep",
     "__version__",
     "approximation_error",
     "extrude",
@@ -56,6 +58,7 @@ _MODULES = {
     ".elements.bevel_gear": ("BevelGear",),
     ".elements.bevel_pair": ("BevelPair",),
     ".elements.spur_gear": ("SpurGear",),
+    ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.polyhedron": ("mass_properties",),
     ".sections.plane": ("Section",),

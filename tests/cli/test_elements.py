@@ -13,6 +13,9 @@ def test_every_declared_parameter_is_on_the_help_page(run, element):
     outcome = run(element.command, "--help")
     assert outcome.code == 0
     for declaration in declarations(catalog.load(element.source)):
+        if not declaration.parameter.typed:
+            assert f"--{declaration.name}" not in outcome.out
+            continue
         assert f"--{declaration.name.replace('_', '-')}" in outcome.out
         assert declaration.parameter.symbol in outcome.out
 

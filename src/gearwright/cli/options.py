@@ -120,7 +120,7 @@ def _default(declaration: Declaration) -> str | bool:
         return str(declaration.default)
     if parameter.components:
         return " ".join(f"{one:g}" for one in declaration.default)
-    return in_words(declaration.default, parameter.unit, "").rstrip()
+    return in_words(declaration.default, parameter.unit, "")
 
 
 def _value(parameter: Parameter, words: Sequence[str]) -> Any:

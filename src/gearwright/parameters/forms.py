@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from .declaration import Declaration
 from .parameter import Form, did_you_mean, is_number
-from .units import MOST, in_words
+from .units import MOST, named
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,7 +56,7 @@ class Points:
             right = isinstance(point, list | tuple) and len(point) == len(self.coordinates)
             if not right or not all(is_number(x) and math.isfinite(x) and abs(x) <= MOST for x in point):
                 needed = f"{len(self.coordinates)} numbers {', '.join(self.coordinates)}"
-                return f"point {i} = {in_words(point, '', '')}: {needed} of at most {MOST:g} are needed"
+                return f"{named(f'point {i}', point, '', '')}: {needed} of at most {MOST:g} are needed"
         return None
 
 
@@ -128,8 +128,8 @@ class Table:
         ]
         for name, entry in known.items():
             if name in value:
-                given = in_words(value[name], entry.parameter.unit, "").rstrip()
-                found += [f"{name} = {given}: {problem}" for problem in entry.problems(value[name])]
+                subject = named(name, value[name], entry.parameter.unit, "")
+                found += [f"{subject}: {problem}" for problem in entry.problems(value[name])]
             elif entry.required:
                 found.append(f"{name} is needed: {entry.parameter.meaning}")
         return "; ".join(found) or None

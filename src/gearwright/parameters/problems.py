@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Mapping
 from typing import Any, TypeVar
 
 from ..errors import ParameterError, Problem, ProblemsError
-from .declaration import Declaration, declarations
+from .declaration import declarations
 from .parameter import did_you_mean, is_number, is_whole
-from .units import in_words
+from .units import named
 
 T = TypeVar("T")
 
@@ -35,7 +35,9 @@ class Problems:
     def add(self, name: str, message: str) -> None:
         """Adds a problem of the named parameter, shown with its value and unit."""
         unit = getattr(self._element, "length_unit", "mm")
-        self._found.append(_problem(self._declared[name], getattr(self._element, name), message, str(unit)))
+        parameter = self._declared[name].parameter
+        subject = named(name, getattr(self._element, name), parameter.unit, str(unit))
+        self._found.append(Problem(subject, message))
         self._names.add(name)
 
     def add_of(self, name: str, error: ProblemsError) -> None:
@@ -94,36 +96,22 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
     own = {name: _plain(value) for name, value in values.items() if name in known}
     found = [
         Problem(
-            f"{name} = {in_words(value, '', '')}",
+            named(name, value, "", ""),
             f"{element.__name__} has no such parameter{did_you_mean(name, known)}; it has {', '.join(known)}",
         )
         for name, value in values.items()
         if name not in known
     ]
-    missing = [d for d in known.values() if d.required and d.name not in own]
-    if missing:
-        found += [Problem(d.name, f"is needed: {d.parameter.meaning}") for d in missing]
-        unit = str(own.get("length_unit", "mm"))
-        found += [
-            _problem(known[name], value, problem, unit)
-            for name, value in own.items()
-            for problem in known[name].problems(value)
-        ]
-        raise ParameterError(element.__name__, found)
+    missing = {d.name: None for d in known.values() if d.required and d.name not in own}
+    found += [Problem(name, f"is needed: {known[name].parameter.meaning}") for name in missing]
     try:
-        built = element(**own)
+        built = element(**own, **missing)
     except ParameterError as error:
-        raise ParameterError(element.__name__, [*found, *error.problems]) from None
+        others = [problem for problem in error.problems if problem.subject not in missing]
+        raise ParameterError(element.__name__, [*found, *others]) from None
     if found:
         raise ParameterError(element.__name__, found)
     return built
-
-
-def _problem(declaration: Declaration, value: object, message: str, length_unit: str) -> Problem:
-    """A problem of a parameter, shown with its value and unit."""
-    name = declaration.name
-    words = in_words(value, declaration.parameter.unit, length_unit)
-    return Problem(name if value is None else f"{name} = {words}", message)
 
 
 def _plain(value: object) -> object:

@@ -16,7 +16,7 @@ MILLIMETRES = {"mm": 1.0, "in": 25.4}
 LEAST, MOST = 1e-12, 1e12
 """Limits of lengths, whose fifth powers must stay numbers."""
 
-_LONGEST = 70  # characters of a value in a message
+_LONGEST = 50  # characters of a list or table in a message
 
 
 @dataclass(frozen=True)
@@ -38,13 +38,20 @@ def rounded_down(value: float) -> str:
 
 
 def in_words(value: object, unit: Unit, length_unit: str) -> str:
-    """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°", "{circle = 3}"; long ones cut short."""
+    """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°", "{circle = 3}"."""
     if isinstance(value, Mapping):
-        text = "{" + ", ".join(f"{name} = {in_words(one, unit, length_unit)}" for name, one in value.items()) + "}"
-    elif isinstance(value, tuple | list):
-        text = "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
-    else:
-        suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in"}.get(unit, "")
-        text = f"{value:.6g}" if isinstance(value, float) and unit else str(value)
-        return text + suffix if isinstance(value, Real) else repr(value)
-    return text if len(text) <= _LONGEST else text[: _LONGEST - 2] + " …"
+        return "{" + ", ".join(f"{name} = {in_words(one, unit, length_unit)}" for name, one in value.items()) + "}"
+    if isinstance(value, tuple | list):
+        return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
+    is_number = isinstance(value, Real) and type(value) is not bool
+    if not is_number:
+        return repr(value)
+    suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in"}.get(unit, "").rstrip()
+    return (f"{value:.6g}" if isinstance(value, float) and unit else str(value)) + suffix
+
+
+def named(name: str, value: object, unit: Unit, length_unit: str) -> str:
+    """A name with its value in words: "face_width = 90 mm"; without it where that is nothing, or a long list."""
+    words = in_words(value, unit, length_unit)
+    unspeakable = isinstance(value, Mapping | tuple | list) and len(words) > _LONGEST
+    return name if value is None or unspeakable else f"{name} = {words}"
