@@ -43,7 +43,7 @@ def in_words(value: object, unit: Unit, length_unit: str) -> str:
         return "{" + ", ".join(f"{name} = {in_words(one, unit, length_unit)}" for name, one in value.items()) + "}"
     if isinstance(value, tuple | list):
         return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
-    is_number = isinstance(value, Real) and type(value) is not bool
+    is_number = isinstance(value, Real) and not isinstance(value, bool)
     if not is_number:
         return repr(value)
     suffix = {"length": f" {length_unit}", "angle": "°", "mm": " mm", "per inch": " /in"}.get(unit, "").rstrip()
