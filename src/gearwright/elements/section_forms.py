@@ -39,7 +39,7 @@ SECTION = Parameter(
 def section_of(given: str | Mapping[str, Any]) -> Section:
     """The section that a sound value of SECTION gives. Raises GeometryError, FileError, MachineError."""
     if isinstance(given, str):
-        return Section.load(given)  # type: ignore[attr-defined]
+        return Section.load(given)
     holes, centre = given.get("holes", ()), given.get("centre", (0.0, 0.0))
     if "polygon" in given:
         return Section.polygon(given["polygon"], holes)
