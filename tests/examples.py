@@ -116,6 +116,40 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
     },
 }
 
+SQUARE_WITH_HOLES = {
+    "polygon": ((-10, -6), (10, -6), (12, 7), (-8, 6)),
+    "holes": (((-6, -2), (-3, -2), (-3, 2)), ((2, -2), (6, -2), (6, 2), (2, 2))),
+}
+
+EXAMPLES["sweep"] = {
+    "twisted, scaled and skewed, with two holes": {
+        "section": SQUARE_WITH_HOLES,
+        "length": 40.0,
+        "twist": 50.0,
+        "scale": (0.6, 0.8),
+        "skew": (5.0, -3.0),
+    },
+    "by polynomials, a spline, in inches": {
+        "section": {"spline": ((2, 0), (1, 1.5), (-1, 1), (-2, -0.5), (0, -1))},
+        "length": 5.0,
+        "transform": {"f1": (1.0, -0.05), "g1": (0.0, 0.04), "h1": (0.0, 0.0, 0.02), "g2": (1.0, 0.0, -0.01)},
+        "length_unit": "in",
+    },
+    "a spring": {
+        "section": {"rectangle": (3.0, 2.0), "centre": (0.5, 0.0)},
+        "path": {"helix": {"radius": 12.0, "pitch": 8.0, "turns": 2.5, "hand": "left"}},
+        "frame": "frenet",
+    },
+    "along a bent path, twisted and tapered": {
+        "section": {"rectangle": (6.0, 4.0)},
+        "path": ((0, 0, 0), (0, 0, 30), (20, 10, 60)),
+        "twist": 120.0,
+        "scale": (0.5, 0.7),
+    },
+    "revolved by 200°": {"section": {"circle": 3.0, "centre": (10.0, 2.0)}, "angle": 200.0},
+    "a ring": {"section": {"polygon": ((6, 0), (10, 1), (9, 5), (7, 4))}, "angle": 360.0},
+}
+
 BY_NAME = {entry.name: entry for entry in catalog.ELEMENTS}
 
 

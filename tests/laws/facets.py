@@ -68,8 +68,9 @@ def _patch_facets(patch, columns, layers, vertices, triangles, tree, near) -> Pa
     place[number[order]] = np.stack([u, v], axis=1)[order]
     own = triangles[(place[triangles] >= 0).all(axis=(1, 2))]
     at = place[own]
-    seam = (at[..., 1].max(axis=1) - at[..., 1].min(axis=1)) > 1
-    at[..., 1] = np.where(seam[:, None] & (at[..., 1] == 0), layers, at[..., 1])
+    for axis, last in enumerate((columns, layers)):
+        seam = (at[..., axis].max(axis=1) - at[..., axis].min(axis=1)) > 1
+        at[..., axis] = np.where(seam[:, None] & (at[..., axis] == 0), last, at[..., axis])
     on_border = (at[..., 1] == at[:, :1, 1]).all(axis=1) | (at[..., 0] == at[:, :1, 0]).all(axis=1)
     return PatchFacets(patch, columns, layers, vertices[own[~on_border]], at[~on_border] / [columns, layers])
 

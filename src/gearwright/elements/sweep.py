@@ -98,7 +98,8 @@ class Sweep(Element):
         except ProblemsError as error:
             problems.add_of(name, error)
         except FileError as error:
-            problems.add(name, str(error).removeprefix(f"{getattr(self, name)}: "))
+            said = str(error).removeprefix(f"{getattr(self, name)}: ")
+            problems.add(name, said.replace("\n", "\n  "))
 
     @property
     def kind(self) -> Literal["length", "path", "angle"]:
