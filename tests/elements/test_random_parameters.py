@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
 from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
 from ..laws.topology import edges_pair_up, fans_at_vertices
@@ -143,6 +144,12 @@ anything = st.one_of(
     st.text(max_size=3),
     st.lists(st.floats(), max_size=3),
     st.tuples(st.integers(0, 30), st.integers(0, 30)),
+    st.lists(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=3), max_size=4),
+    st.dictionaries(
+        st.sampled_from(["circle", "rectangle", "polygon", "centre", "helix", "f1", "h2"]),
+        st.floats() | st.lists(st.floats(-3.0, 3.0) | st.lists(st.floats(-9.0, 9.0), max_size=3), max_size=4),
+        max_size=2,
+    ),
 )
 
 
@@ -152,6 +159,8 @@ anything = st.one_of(
         (SpurGear, {"teeth": 16, "module": 8.0, "face_width": 50.0}),
         (BevelGear, {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}),
         (BevelPair, {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}),
+        (Sweep, {"section": {"rectangle": (3.0, 2.0), "centre": (4.0, 1.0)}, "length": 5.0}),
+        (Sweep, {"section": {"circle": 1.0}, "path": ((0.0, 0.0, 0.0), (0.0, 5.0, 10.0), (9.0, 9.0, 30.0))}),
     ],
     ids=lambda value: value.__name__ if isinstance(value, type) else "",
 )

@@ -83,7 +83,7 @@ class Sweep(Element):
     def _check_changes(self, problems: Problems, way: str) -> None:
         given = [name for name, unchanged in _UNCHANGED.items() if getattr(self, name) != unchanged]
         for name in given:
-            if name not in _WAYS[way]:
+            if name not in _WAYS[way] and problems.sound(name):
                 owners = [owner for owner, names in _WAYS.items() if name in names]
                 problems.add(name, refusals.not_of_this_way(way, owners))
         if self.transform is not None and any(name in given for name in ("twist", "scale", "skew")):
