@@ -68,6 +68,8 @@ def _option_message(error: CycloptsError) -> str:
             text = _unknown_command(error)
         case UnusedCliTokensError():
             text = f"No option takes this: {' '.join(error.unused_tokens or ())}"
+        case ConsumeMultipleError(argument=argument, actual_count=0) if argument:
+            text = f"{argument.name}: a value is needed."
         case ConsumeMultipleError(argument=argument) if argument:
             optional = argument.parameter.consume_multiple == (0, 1)
             accepted = "at most one value is" if optional else "one or two values are"

@@ -83,7 +83,7 @@ class Parameter:
         if self.kind == "form":
             return self._form_problem(value)
         if not is_number(value):
-            kind = {"str": "text", "NoneType": "nothing", "int": "one so large"}.get(
+            kind = {"str": "text", "NoneType": "nothing", "int": "one so large", "dict": "a table"}.get(
                 type(value).__name__, type(value).__name__
             )
             return f"a {'whole ' if self.kind == 'integer' else ''}number is needed, not {kind}"

@@ -40,7 +40,7 @@ def rounded_down(value: float) -> str:
 def in_words(value: object, unit: Unit, length_unit: str) -> str:
     """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°", "{circle = 3}"."""
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{name} = {in_words(one, unit, length_unit)}" for name, one in value.items()) + "}"
+        return "{" + ", ".join(f"{name} = {in_words(one, '', '')}" for name, one in value.items()) + "}"
     if isinstance(value, tuple | list):
         return "(" + ", ".join(in_words(one, unit, length_unit) for one in value) + ")"
     is_number = isinstance(value, Real) and not isinstance(value, bool)
