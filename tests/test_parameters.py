@@ -90,6 +90,7 @@ def test_why_a_value_is_refused(parameter, value, words):
         (COUNT, 12, True),
         (LENGTH, 0, False),
         (ANGLE, 90, False),
+        (Parameter(meaning="either way", minimum=-9, maximum=9), -10, True),
         (WORD, "x", False),
     ],
 )

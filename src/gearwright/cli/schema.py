@@ -134,7 +134,7 @@ def _form(form: Form) -> Schema:
             }
             return {"type": "array", "items": point, "minItems": form.least, "description": form.words}
         case Numbers():
-            return {"type": "array", "items": _NUMBER, "minItems": 1, "description": form.words}
+            return {"type": "array", "items": _NUMBER, "minItems": 1, "maxItems": form.most, "description": form.words}
         case Several():
             return {"type": "array", "items": _form(form.of)}
         case Table():

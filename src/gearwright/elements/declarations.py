@@ -58,7 +58,11 @@ FRAME = Parameter(
     choices=tuple(FRAMES),
 )
 TWIST = Parameter(
-    meaning="angle by which the far end is turned, right-handed if positive; it grows evenly", unit="angle", symbol="φ"
+    meaning="angle by which the far end is turned, right-handed if positive; it grows evenly",
+    unit="angle",
+    symbol="φ",
+    minimum=-360_000,
+    maximum=360_000,
 )
 SCALE = Parameter(
     meaning="factors of the far end along the section's x and y, reached evenly",

@@ -14,7 +14,7 @@ _HELIX = Table(
     entries=(
         entry("radius", Parameter(meaning="radius of the centre line", unit="length", above=0)),
         entry("pitch", Parameter(meaning="rise of each turn", unit="length", minimum=0)),
-        entry("turns", Parameter(meaning="number of turns", above=0, maximum=10_000), default=1.0),
+        entry("turns", Parameter(meaning="number of turns", above=0, maximum=100), default=1.0),
         entry(
             "hand", Parameter(meaning="hand of the helix", kind="choice", choices=("right", "left")), default="right"
         ),

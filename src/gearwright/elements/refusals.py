@@ -58,6 +58,8 @@ def internal_bevel(angle: float) -> str:
 
 TRANSFORM_WITH_TWIST = "takes the place of twist, scale and skew; leave those out, or write them into it"
 
+TWIST_ALONG = "at most 18000° along a path, 50 turns, can be computed; sweep the path in parts"
+
 
 def one_way(given: Sequence[str]) -> str:
     """For a sweep that is moved in none or several of its ways."""

@@ -27,7 +27,7 @@ from . import refusals
 from .element import Element
 from .path_forms import PATH, path_given
 from .section_forms import SECTION, section_of
-from .transform_forms import TRANSFORM
+from .transform_forms import TRANSFORM, too_large
 
 _WAYS: dict[str, tuple[str, ...]] = {
     "length": ("twist", "scale", "skew", "transform"),
@@ -35,6 +35,8 @@ _WAYS: dict[str, tuple[str, ...]] = {
     "angle": (),
 }
 """The parameters of which one says how the section moves, and those that apply to each."""
+
+_MOST_TWIST_ALONG = 18_000.0  # degrees, whose sines a smooth function of the path's length still gives to rounding
 
 _UNCHANGED: dict[str, object] = {
     "frame": None,
@@ -88,6 +90,11 @@ class Sweep(Element):
                 problems.add(name, refusals.not_of_this_way(way, owners))
         if self.transform is not None and any(name in given for name in ("twist", "scale", "skew")):
             problems.add("transform", refusals.TRANSFORM_WITH_TWIST)
+        if way == "path" and problems.sound("twist") and abs(self.twist) > _MOST_TWIST_ALONG:
+            problems.add("twist", refusals.TWIST_ALONG)
+        if self.transform is not None and problems.sound("transform", "length"):
+            for problem in too_large(self.transform, 1.0 if self.length is None else self.length):
+                problems.add("transform", problem)
 
     def _check_thing(self, problems: Problems, name: str, build: Callable[[], object]) -> None:
         """Adds what keeps the thing that the named parameter gives from being built."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from ..motions.transform import NAMES
-from ..parameters import Numbers, Parameter, Table, entry
+from collections.abc import Mapping, Sequence
 
-_COEFFICIENTS = Numbers(words="a list of coefficients, lowest power first")
+from ..motions.transform import NAMES
+from ..parameters import MOST, Numbers, Parameter, Table, entry
+
+_COEFFICIENTS = Numbers(most=16, words="a list of coefficients, lowest power first")
 
 TRANSFORM = Parameter(
     meaning="polynomials in the height, or in the fraction of a path's length, in place of twist, scale and skew:"
@@ -29,3 +31,19 @@ TRANSFORM = Parameter(
         ),
     ),
 )
+
+_LARGEST = {"h1": MOST, "h2": MOST}
+_LARGEST_FACTOR = 1e6
+
+
+def too_large(coefficients: Mapping[str, Sequence[float]], reach: float) -> list[str]:
+    """Which of the polynomials may become too large to compute with, from 0 to the reach, each in words."""
+    found = []
+    for name, row in coefficients.items():
+        if row is None:
+            continue
+        bound = sum(abs(c) * reach**power for power, c in enumerate(row))
+        most = _LARGEST.get(name, _LARGEST_FACTOR)
+        if not bound <= most:
+            found.append(f"{name} may reach {bound:.3g} between 0 and {reach:g}; at most {most:g} is possible")
+    return found

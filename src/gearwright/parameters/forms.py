@@ -62,8 +62,9 @@ class Points:
 
 @dataclass(frozen=True, kw_only=True)
 class Numbers:
-    """A list of one or more numbers."""
+    """A list of one number to so many."""
 
+    most: int
     words: str = "a list of numbers"
     word: str = ""
     keys: tuple[str, ...] = ()
@@ -72,8 +73,9 @@ class Numbers:
         return isinstance(value, list | tuple)
 
     def problem(self, value: object) -> str | None:
-        good = isinstance(value, list | tuple) and value and all(is_number(x) and math.isfinite(x) for x in value)
-        return None if good else f"{self.words}, all finite, is needed"
+        counted = isinstance(value, list | tuple) and 1 <= len(value) <= self.most
+        good = counted and all(is_number(x) and math.isfinite(x) for x in value)  # type: ignore[attr-defined]
+        return None if good else f"{self.words}, is needed: 1 to {self.most} finite numbers"
 
 
 @dataclass(frozen=True, kw_only=True)

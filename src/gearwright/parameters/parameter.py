@@ -105,7 +105,8 @@ class Parameter:
             return False
         if self.is_length and abs(value) > MOST:
             return False
-        lowest = self.above if self.above is not None else 0.0 if self.minimum is not None else -math.inf
+        from_nought = self.minimum is not None and self.minimum >= 0
+        lowest = self.above if self.above is not None else 0.0 if from_nought else -math.inf
         inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest
         return inside and (self.unit != "angle" or self._limit_problem(float(value)) is None)
 
