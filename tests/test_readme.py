@@ -31,6 +31,8 @@ def test_the_python_example_prints_what_stands_below_it(tmp_path, monkeypatch, c
 
 def test_the_commands_run_in_their_order(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
+    for text in (text for kind, text in BLOCKS if kind == "toml"):
+        (tmp_path / re.match(r"# (\w+\.toml)", text)[1]).write_text(text)
     assert len(COMMANDS) >= 5
     for command in COMMANDS:
         assert main(shlex.split(command)[1:]) == 0, command

@@ -36,7 +36,7 @@ _LARGEST = {"h1": MOST, "h2": MOST}
 _LARGEST_FACTOR = 1e6
 
 
-def too_large(coefficients: Mapping[str, Sequence[float]], reach: float) -> list[str]:
+def too_large(coefficients: Mapping[str, Sequence[float] | None], reach: float) -> list[str]:
     """Which of the polynomials may become too large to compute with, from 0 to the reach, each in words."""
     found = []
     for name, row in coefficients.items():
