@@ -132,6 +132,7 @@ REFUSALS = [
     (SPUR + "module = 3\n", ("design.toml: line 5, column", "no TOML")),
     ('element = "spur"\nteeth = \n', ("design.toml: line 2, column 9: this is no TOML",)),
     ('element = "spur"\nteeth = [1,\n\n', ("design.toml: line 3, the last: this is no TOML",)),
+    ('element = "spur"\nteeth = [1,', ("design.toml: line 2, the last: this is no TOML",)),
     (b'element = "spur"\n# \xff\n', ("design.toml: line 2: this is no text in UTF-8",)),
     ("a = " + "[" * 3000, ("nested",)),
     (SWEEP.replace("polygon", "poligon"), ("section", "did you mean polygon?")),
