@@ -1,5 +1,6 @@
 """What the README shows is what happens."""
 
+import re
 import shlex
 
 import pytest
