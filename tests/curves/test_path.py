@@ -65,6 +65,13 @@ def test_a_helix_climbs_its_pitch_each_turn_on_its_hand(hand):
     np.testing.assert_allclose(path.point(1.0), [0.0, 3.0 * sign, 4.5], atol=1e-13)
 
 
+@pytest.mark.parametrize(("pitch", "turns"), [(1.0, 400.0), (1e-3, 200.0), (50.0, 1000.0)])
+def test_a_helix_of_many_turns_is_smooth(pitch, turns):
+    path = helix(3.0, pitch, turns)
+    assert path.length == pytest.approx(turns * np.hypot(TURN * 3.0, pitch), rel=1e-12)
+    assert path.series.kinks == ()
+
+
 @pytest.mark.parametrize(
     ("build", "words"),
     [

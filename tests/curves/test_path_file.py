@@ -40,8 +40,8 @@ def test_a_path_whose_last_point_is_the_first_is_closed(tmp_path):
         ("0,0,0\nx,y,z\n1,1,1\n", ("line 2: 'x,y,z'",)),
         ("0,0,0\n1,nan,2\n1,1_0,1\n", ("line 2", "line 3")),
         ("0,0\n1,1\n", ("line 1: '0,0'",)),
-        ("0,0,0,0\n" * 20, ("line 5", "and 15 lines more")),
-        ("1,5;2,5;3,5\n", ("decimal point",)),
+        ("0,0,0,0\n" * 20, ("line 5", "and 12 lines more")),
+        ("1,5;2,5;3,5\n", ("decimal sign",)),
     ],
 )
 def test_what_is_no_point_is_named_with_its_line(tmp_path, text, words):

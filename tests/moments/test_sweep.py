@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.moments.sweep import radial_sweep, revolution_sweep, straight_sweep
+from gearwright.moments.sweep import _harmonic_integrals, radial_sweep, revolution_sweep, straight_sweep
 
 X, W = np.polynomial.legendre.leggauss(24)
 
@@ -95,3 +95,17 @@ def test_a_radial_sweep_that_turns(turn):
     result = radial_sweep(in_space(normals, weights), radial_integral)
     np.testing.assert_allclose(result, expected, atol=1e-12 * np.max(expected))
     np.testing.assert_array_equal(result, result.T)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, 1e-6, 1e-3, 0.1, 0.7, 2.0, 2.999, 3.0, 3.001, 5.0, 12.0, 300.0])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_harmonic_integrals_keep_every_digit(angle, sign):
+    """∫ s^k e^{i angle s} ds against quadrature in fifty digits."""
+    import mpmath
+
+    angle *= sign
+    with mpmath.workdps(50):
+        cuts = mpmath.linspace(-1, 1, 2 + int(abs(angle)))
+        for k, found in enumerate(_harmonic_integrals(angle)):
+            exact = complex(mpmath.quad(lambda s, k=k: s**k * mpmath.expj(angle * s), cuts))
+            assert abs(found - exact) < 4e-16

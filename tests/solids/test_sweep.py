@@ -54,6 +54,7 @@ def test_a_coarser_tolerance_needs_fewer_evaluations_and_says_so():
     assert coarse.moments.evaluations < fine.moments.evaluations
     assert fine.moments.error_bound < 1e-12
     assert coarse.moments.error_bound > fine.moments.error_bound
+    assert coarse.moments.error_bound - fine.moments.error_bound > coarse.motion.transform.series.error
     miss = abs(coarse.moments.volume / fine.moments.volume - 1.0)
     assert miss < 1e-4
 

@@ -34,6 +34,30 @@ def test_a_section_across_the_axis_is_refused_with_the_place():
         Swept(section=Section(loops=(circle(2.0, (1.0, 0.0)),)), motion=Revolution(), ends=between(-1.0, 0.0))
 
 
+@pytest.mark.parametrize(
+    ("section", "point"),
+    [
+        (lambda: Section.circle(1.0, (1.0, 0.0)), [0.0, 0.0]),
+        (lambda: Section.circle(0.3, (0.3, 2.0)), [0.0, 2.0]),
+        (lambda: Section.polygon([(0, 0), (1, -1), (2, 0), (1, 1)]), [0.0, 0.0]),
+        (lambda: Section.spline([(0, 0), (1, -1), (2, 0), (1, 1)]), None),
+        (lambda: Section.polygon([(0, 0), (2, 0), (2, 4), (0, 4), (1, 3), (0, 2), (1, 1)]), [0.0, 0.0]),
+    ],
+)
+def test_a_section_that_touches_the_axis_at_a_point_is_refused(section, point):
+    with pytest.raises(GeometryError, match="touches the axis at this one point") as caught:
+        Swept(section=section(), motion=Revolution(), ends=between(-1.0, 0.0))
+    assert point is None or f"section point {point}" in str(caught.value)
+
+
+def test_a_section_may_run_along_the_axis():
+    arc = Arc(radius=2.0, interval=(-np.pi / 2, np.pi / 2))
+    ball = Section.outline([arc, Line(first=(0.0, 2.0), last=(0.0, -2.0))])
+    for section in (ball, Section.rectangle(2.0, 1.0, (1.0, 0.0)), Section.polygon([(0, 0), (1, 0), (0, 2)])):
+        solid = Swept(section=section, motion=Revolution(), ends=between(-2.0 * np.pi, 0.0))
+        assert solid.polyhedron(0.01).validity().valid
+
+
 def test_more_than_a_turn_is_refused():
     with pytest.raises(GeometryError, match=r"a revolution of 1145\.92° would run into itself"):
         Swept(section=Section(loops=(circle(1.0, (5.0, 0.0)),)), motion=Revolution(), ends=between(0.0, 20.0))

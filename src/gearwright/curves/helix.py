@@ -10,6 +10,9 @@ from ..arrays import Array
 from ..errors import ParameterError, Problem
 from .path import Path, path_of
 
+_TOLERANCE = 1e-14
+_ROUNDINGS = 8.0 * float(np.finfo(float).eps)
+
 
 def helix(radius: float, pitch: float, turns: float = 1.0, hand: str = "right") -> Path:
     """The helix about z from (radius, 0, 0) upwards, for `sweep_along`; a circle where the pitch is 0 and turns 1.
@@ -47,4 +50,5 @@ def helix(radius: float, pitch: float, turns: float = 1.0, hand: str = "right") 
     def point(u: Array) -> Array:
         return np.stack([radius * np.cos(angle * u), radius * np.sin(angle * u), pitch * turns * u], axis=-1)
 
-    return path_of(point)
+    # the cosine of a large angle is known to the rounding of that angle
+    return path_of(point, max(_TOLERANCE, _ROUNDINGS * abs(angle)))

@@ -143,12 +143,14 @@ def path_through(points: ArrayLike) -> Path:
     return Path(series=Smooth(breaks=knots / knots[-1], coefficients=_BERNSTEIN_TO_CHEBYSHEV @ control))
 
 
-def path_of(function: Callable[[Array], ArrayLike]) -> Path:
+def path_of(function: Callable[[Array], ArrayLike], tolerance: float = _TOLERANCE) -> Path:
     """The path c(u), u from 0 to 1, of a function (n,) → (n, 3), or u → (3,).
+
+    tolerance   of the function's values, relative to the largest one: what rounding leaves of them
 
     Raises GeometryError where it gives something else, or is not smooth.
     """
-    return Path(series=smooth(_by_array(function), [0.0, 1.0], tolerance=_TOLERANCE, name="path"))
+    return Path(series=smooth(_by_array(function), [0.0, 1.0], tolerance=tolerance, name="path"))
 
 
 def _by_array(function: Callable[[Array], ArrayLike]) -> Callable[[Array], Array]:
