@@ -215,3 +215,15 @@ def test_the_support_function_is_the_farthest_point(seed):
     assert reach - best < 1e-9
     assert point @ direction == pytest.approx(reach, rel=1e-15)
     assert section.support.roughly(direction) <= reach + 1e-15
+
+
+def test_where_smooth_curves_join_the_support_is_found_in_either():
+    """A circle of three arcs: the radius in every direction, however near to a joint."""
+    cuts = [0.3, 2.1, 4.4, 0.3 + 2 * np.pi]
+    arcs = [Arc(radius=3.0, interval=(a, b)) for a, b in zip(cuts, cuts[1:], strict=False)]
+    support = gw.Section.outline(arcs).support
+    for angle in np.concatenate(
+        [np.linspace(0.0, 2 * np.pi, 37), np.array(cuts)[:, None] + [-0.02, 0.0, 0.02]], axis=None
+    ):
+        reach, _ = support.exactly(np.array([np.cos(angle), np.sin(angle)]))
+        assert reach == pytest.approx(3.0, rel=1e-15)

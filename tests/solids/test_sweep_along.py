@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 import gearwright as gw
 from gearwright.solids.solid import flux_moments
@@ -221,3 +222,33 @@ def test_a_sweep_that_hits_itself_is_found_on_request():
     solid = gw.sweep_along(gw.Section.circle(1.0), gw.helix(5.0, 1.0, 2.0))
     assert solid.polyhedron(0.05).self_intersections()
     assert not gw.sweep_along(gw.Section.circle(1.0), gw.helix(5.0, 2.5, 2.0)).self_intersections(0.05)
+
+
+def test_chords_keep_the_tolerance_in_a_bend_that_is_short():
+    """Points all over the triangles of a tube lie as far from the path as its radius."""
+    bend = [(0, 0, 0), (30, 0, 0), (58, 0.3, 0), (62, 2.5, 0), (62, 5.5, 0), (58, 7.7, 0), (30, 8, 0), (0, 8, 0)]
+    solid = gw.sweep_along(gw.Section.circle(1.0), bend)
+    path = solid.motion.frame.path
+    u = np.linspace(0.0, 1.0, 40_001)
+    along = cKDTree(path.point(u))
+    tolerance = 0.02
+    polyhedron = solid.polyhedron(tolerance)
+    corners = polyhedron.vertices[np.asarray(polyhedron.faces)]
+    middles = np.concatenate([corners.mean(axis=1), *((corners + np.roll(corners, 1, axis=1)).swapaxes(0, 1) / 2.0)])
+    distance, nearest = along.query(middles)
+    inside = (nearest > 0) & (nearest < len(u) - 1)  # the ends are flat
+    assert np.max(np.abs(distance[inside] - 1.0)) <= tolerance
+    assert np.max(np.abs(distance[inside] - 1.0)) > 0.3 * tolerance
+
+
+def test_the_bounding_box_of_a_spring_holds_all_its_windings():
+    """They reach almost equally far, and the wire's corners turn from one to the next."""
+    for solid in (
+        SOLIDS["spring"](),
+        gw.sweep_along(gw.Section.rectangle(1.0, 1.0, (1.0, 0.0)), gw.helix(5.0, 3.0, 12.0)),
+    ):
+        box = solid.properties().bounding_box
+        u = np.linspace(0.0, 1.0, 60_001)
+        corners = [solid.motion.place(np.broadcast_to(c.start, (len(u), 2)), u) for c in solid.section.loops[0].curves]
+        cloud = np.concatenate(corners)
+        np.testing.assert_allclose(box, [cloud.min(axis=0), cloud.max(axis=0)], atol=2e-6)
