@@ -1,6 +1,7 @@
 """Sections from corners, points and curves: what they enclose, and what is refused and where."""
 
 from fractions import Fraction
+from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -220,7 +221,7 @@ def test_the_support_function_is_the_farthest_point(seed):
 def test_where_smooth_curves_join_the_support_is_found_in_either():
     """A circle of three arcs: the radius in every direction, however near to a joint."""
     cuts = [0.3, 2.1, 4.4, 0.3 + 2 * np.pi]
-    arcs = [Arc(radius=3.0, interval=(a, b)) for a, b in zip(cuts, cuts[1:], strict=False)]
+    arcs = [Arc(radius=3.0, interval=(a, b)) for a, b in pairwise(cuts)]
     support = gw.Section.outline(arcs).support
     for angle in np.concatenate(
         [np.linspace(0.0, 2 * np.pi, 37), np.array(cuts)[:, None] + [-0.02, 0.0, 0.02]], axis=None
