@@ -226,9 +226,61 @@ def test_all_problems_are_named_together():
 
 
 def test_a_file_the_machine_cannot_read_is_the_machine_s_fault(monkeypatch):
-    def failing(path):
+    def failing(path, layer=None):
         raise gw.MachineError("the disk is gone")
 
-    monkeypatch.setattr(gw.Section, "load", failing)
+    monkeypatch.setattr("gearwright.elements.sweep.read", failing)
     with pytest.raises(gw.MachineError, match="the disk is gone"):
         Sweep(section="outline.dxf", length=3)
+
+
+SHEET = """
+0,0
+10,0
+10,5
+0,5
+
+20,0
+26,0
+26,3
+"""
+
+
+class TestDrawings:
+    @pytest.fixture(autouse=True)
+    def drawing(self, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        (tmp_path / "sheet.csv").write_text(SHEET, encoding="utf-8")
+
+    def test_one_region_of_several(self):
+        assert Sweep(section="sheet.csv", around=(5, 2), length=2).properties().volume == pytest.approx(100.0)
+        assert Sweep(section="sheet.csv", around=(24, 1), length=2).properties().volume == pytest.approx(18.0)
+
+    def test_several_regions_are_refused_with_the_way_out(self):
+        with pytest.raises(
+            gw.ParameterError, match=r"holds 2 regions; .* around(.|\n)*region 2: loop about \(23, 1.5\)"
+        ):
+            Sweep(section="sheet.csv", length=2)
+        with pytest.raises(gw.ParameterError, match="no region around"):
+            Sweep(section="sheet.csv", around=(15, 1), length=2)
+
+    def test_layers_are_of_drawings(self):
+        with pytest.raises(gw.ParameterError, match="no layers"):
+            Sweep(section="sheet.csv", layer="CUT", around=(5, 2), length=2)
+        with pytest.raises(
+            gw.ParameterError, match=r"layer = 'CUT': applies to a section from a drawing(.|\n)*around = "
+        ):
+            Sweep(section={"circle": 2}, layer="CUT", around=(5, 2), length=2)
+
+    def test_another_unit_and_what_is_passed_over_are_noted(self):
+        import ezdxf
+
+        drawing = ezdxf.new()
+        drawing.header["$INSUNITS"] = 1
+        drawing.modelspace().add_circle((0, 0), 2)
+        drawing.modelspace().add_text("2 off")
+        drawing.saveas("disc.dxf")
+        notes = Sweep(section="disc.dxf", length=2).remarks
+        assert notes[0] == "disc.dxf states in, but its numbers were taken as mm; is length_unit right?"
+        assert notes[1] == "passed over in the drawing: 1 TEXT"
+        assert len(Sweep(section="disc.dxf", length=2, length_unit="in").remarks) == 1

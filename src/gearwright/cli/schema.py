@@ -21,6 +21,7 @@ from ..parameters import (
     Points,
     Several,
     Table,
+    Text,
     declarations,
     did_you_mean,
 )
@@ -124,6 +125,8 @@ def _form(form: Form) -> Schema:
     match form:
         case FileName():
             return {"type": "string", "minLength": 1, "description": form.words}
+        case Text():
+            return {"type": "string", "minLength": 1}
         case Points():
             count = len(form.coordinates)
             point = {

@@ -72,3 +72,6 @@ def one_way(given: Sequence[str]) -> str:
 def not_of_this_way(way: str, owners: Sequence[str]) -> str:
     """For what does not apply to a sweep moved in this way."""
     return f"does not apply to a sweep with {way}, but to one with {' or '.join(owners)}; leave it out"
+
+
+NO_DRAWING = "applies to a section from a drawing; this one is given by a table"

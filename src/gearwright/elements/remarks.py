@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 _WIDEST_FACE = 0.35  # of the cone distance; wider teeth carry no more load (ISO 23509, AGMA 2005)
 _DEPTHS = (0.6, 1.4)  # an addendum in modules: stub teeth have 0.8, deep ones 1.2
 
@@ -27,3 +29,17 @@ def low_contact_ratio(ratio: float) -> list[str]:
     if ratio >= 1.0:
         return []
     return [f"the transverse contact ratio is {ratio:.3g}: below 1 only the overlap of spiral teeth keeps contact"]
+
+
+def other_unit(source: str, stated: str | None, length_unit: str) -> list[str]:
+    """A drawing in another unit than the part's: its numbers were taken as they are."""
+    if stated is None or stated == length_unit:
+        return []
+    return [f"{source} states {stated}, but its numbers were taken as {length_unit}; is length_unit right?"]
+
+
+def passed_over(things: Mapping[str, int]) -> list[str]:
+    """What a drawing holds that is no outline."""
+    if not things:
+        return []
+    return ["passed over in the drawing: " + ", ".join(f"{count} {name}" for name, count in things.items())]

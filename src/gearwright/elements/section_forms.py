@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ..parameters import FileName, Parameter, Points, Several, Table, entry
+from ..parameters import FileName, Parameter, Points, Several, Table, Text, entry
 from ..sections.plane import Section
 
 _CORNERS = Points(coordinates=("x", "y"), least=3)
@@ -35,11 +35,17 @@ SECTION = Parameter(
     ),
 )
 
+LAYER = Parameter(
+    meaning="the one layer of the drawing to read", kind="form", forms=(Text(words="the name of a layer"),)
+)
+AROUND = Parameter(
+    meaning="a point in the wanted region, where a drawing holds several", unit="length", components=("x", "y")
+)
 
-def section_of(given: str | Mapping[str, Any]) -> Section:
-    """The section that a sound value of SECTION gives. Raises GeometryError, FileError, MachineError."""
-    if isinstance(given, str):
-        return Section.load(given)
+
+def section_in(table: Mapping[str, Any]) -> Section:
+    """The section that a sound table of SECTION gives. Raises GeometryError."""
+    given = table
     holes, centre = given.get("holes", ()), given.get("centre", (0.0, 0.0))
     if "polygon" in given:
         return Section.polygon(given["polygon"], holes)

@@ -18,6 +18,7 @@ from ..motions.ends import between
 from ..motions.transform import polynomial_transform
 from ..motions.transforming import Transforming
 from ..parameters import Problems, Size, declared
+from ..sections.drawings import Drawing, read
 from ..sections.plane import Section
 from ..solids.solid import Solid
 from ..solids.sweeps import extrude, revolve, sweep_along
@@ -26,7 +27,8 @@ from . import declarations as d
 from . import refusals
 from .element import Element
 from .path_forms import PATH, path_given
-from .section_forms import SECTION, section_of
+from .remarks import other_unit, passed_over
+from .section_forms import AROUND, LAYER, SECTION, section_in
 from .transform_forms import TRANSFORM, too_large
 
 _WAYS: dict[str, tuple[str, ...]] = {
@@ -58,6 +60,8 @@ class Sweep(Element):
     """
 
     section: str | Mapping[str, Any] = declared(SECTION)
+    layer: str | None = declared(LAYER, default=None)
+    around: tuple[float, float] | None = declared(AROUND, default=None)
     length: float | None = declared(d.SWEEP_LENGTH, default=None)
     path: str | tuple[Any, ...] | Mapping[str, Any] | None = declared(PATH, default=None)
     angle: float | None = declared(d.SWEEP_ANGLE, default=None)
@@ -75,7 +79,11 @@ class Sweep(Element):
             self._check_changes(problems, ways[0])
         else:
             problems.add(ways[0] if ways else "length", refusals.one_way(ways))
-        self._check_thing(problems, "section", lambda: self.outline)
+        for name in ("layer", "around"):
+            if not isinstance(self.section, str) and getattr(self, name) is not None:
+                problems.add(name, refusals.NO_DRAWING)
+        if problems.sound("layer", "around"):
+            self._check_thing(problems, "section", lambda: self.outline)
         if self.path is not None:
             self._check_thing(problems, "path", lambda: self.way)
         if problems.sound():
@@ -115,8 +123,17 @@ class Sweep(Element):
 
     @cached_property
     def outline(self) -> Section:
-        """The section, read from its file or made from its table."""
-        return section_of(self.section)
+        """The section, read from its drawing or made from its table."""
+        if self.drawing is None:
+            return section_in(self.section)  # type: ignore[arg-type]
+        section = Section(loops=self.drawing.region(self.around))
+        section.require_simple()
+        return section
+
+    @cached_property
+    def drawing(self) -> Drawing | None:
+        """What the section's file shows; None for a table."""
+        return read(self.section, layer=self.layer) if isinstance(self.section, str) else None
 
     @cached_property
     def way(self) -> Path | None:
@@ -148,6 +165,13 @@ class Sweep(Element):
         angle = np.radians(self.twist * fraction)
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
         return turn * (1.0 + (np.array(self.scale) - 1.0) * fraction)
+
+    @property
+    def remarks(self) -> list[str]:
+        if self.drawing is None:
+            return []
+        stated = self.drawing.length_unit
+        return [*other_unit(str(self.section), stated, self.length_unit), *passed_over(self.drawing.passed_over)]
 
     @property
     def description(self) -> str:

@@ -5,7 +5,7 @@ imports numpy, so that an edge can list every option without loading a kernel.
 """
 
 from .declaration import Declaration, declarations, declared, entry, member_value
-from .forms import FileName, Numbers, Points, Several, Table
+from .forms import FileName, Numbers, Points, Several, Table, Text
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
 from .units import LEAST, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down
@@ -24,6 +24,7 @@ __all__ = [
     "Several",
     "Size",
     "Table",
+    "Text",
     "Unit",
     "declarations",
     "declared",

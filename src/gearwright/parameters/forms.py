@@ -34,6 +34,21 @@ class FileName:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Text:
+    """Any words, such as the name of a layer. words   what they are"""
+
+    words: str
+    word: str = "NAME"
+    keys: tuple[str, ...] = ()
+
+    def fits(self, value: object) -> bool:
+        return isinstance(value, str)
+
+    def problem(self, value: object) -> str | None:
+        return None if value else f"{self.words} is needed"
+
+
+@dataclass(frozen=True, kw_only=True)
 class Points:
     """A list of at least so many points, each a list of the named coordinates."""
 

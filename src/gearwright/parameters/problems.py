@@ -41,8 +41,11 @@ class Problems:
         self._names.add(name)
 
     def add_of(self, name: str, error: ProblemsError) -> None:
-        """Adds what was found wrong with the thing that the named parameter gives."""
-        self._found += [Problem(f"{name}: {problem.subject}", problem.message) for problem in error.problems]
+        """Adds what was found wrong with the thing that the named parameter gives; of several, under their headline."""
+        if len(error.problems) > 1:
+            self._found.append(Problem(name, f"{error.headline}:"))
+        start = f"{name}: " if len(error.problems) == 1 else "  "
+        self._found += [Problem(start + problem.subject, problem.message) for problem in error.problems]
         self._names.add(name)
 
     def add_members(self, members: Mapping[str, Callable[[], object]], settled: Collection[str] = ()) -> None:
