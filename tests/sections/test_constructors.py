@@ -152,6 +152,18 @@ def test_an_outline_of_mixed_curves():
     assert backwards.properties().area == pytest.approx(found.area, rel=1e-15)
 
 
+def two_holes(overlap):
+    """Two round holes of radius 1 in a disc, which overlap by a length."""
+    holes = [
+        [Arc(radius=1.0, centre=(x, 0.0), interval=(0.7, 0.7 + 2 * np.pi))] for x in (overlap / 2 - 1, 1 - overlap / 2)
+    ]
+    return gw.Section.outline([Arc(radius=5.0, interval=(0.0, 2 * np.pi))], holes=holes)
+
+
+def test_two_holes_with_a_thin_wall_are_two_holes():
+    assert two_holes(-1e-5).properties().area == pytest.approx(23.0 * np.pi, rel=1e-13)
+
+
 @pytest.mark.parametrize(
     ("build", "words"),
     [
@@ -168,6 +180,18 @@ def test_an_outline_of_mixed_curves():
         (lambda: gw.Section.polygon(SQUARE, holes=[HOLE, HOLE]), ["loop 2 and 3"]),
         (lambda: gw.Section.polygon(SQUARE, holes=[HOLE, [(1.5, 1.2), (1.7, 1.2), (1.7, 1.3)]]), ["another hole"]),
         (lambda: gw.Section.polygon([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)]), ["touches itself", "(2, 0)"]),
+        (lambda: gw.Section.polygon(SQUARE, holes=[[(0, 2), (1, 1), (1, 2.5)]]), ["loops 1 and 2 at (0, 2)", "touch"]),
+        (
+            lambda: gw.Section.polygon([*SQUARE, (1, 1.5)], holes=[[(1, 1), (3, 1), (3, 2), (1, 2)]]),
+            ["(1, 1.5)", "touch"],
+        ),
+        (
+            lambda: gw.Section.polygon(SQUARE, holes=[[(1, 1), (2, 1), (2, 2)], [(2, 2), (3, 2), (3, 2.5)]]),
+            ["loops 2 and 3"],
+        ),
+        (lambda: two_holes(1e-6), ["loop 2 and 3", "crosses"]),
+        (lambda: two_holes(1e-9), ["loops 2 and 3 at (", "too close to tell"]),
+        (lambda: two_holes(0.0), ["loops 2 and 3 at (", "too close to tell"]),
         (lambda: gw.Section.spline([(0, 0), (4, 3), (4, 0), (0, 2)]), ["crosses itself", "(1.778"]),
         (lambda: gw.Section.circle(0.0), ["radius = 0", "greater than 0"]),
         (lambda: gw.Section.circle("2"), ["radius = 2", "greater than 0"]),

@@ -19,13 +19,13 @@ import numpy as np
 from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, Problem
 from .path import Path
-from .smooth import Smooth, smooth
+from .smooth import Smooth, lowest, smooth
 
 _STRETCH = np.cos(np.radians(40.0))  # t₀·t at the end of a stretch: far from t = −t₀, where 1 + t₀·t vanishes
 _TOLERANCE = 1e-14  # of angles, radians
 _CLOSING = 1e-6  # radians by which the axes of a closed path may miss themselves
 _DEGENERATE = 1e-6  # sine of the angle below which two directions are taken for parallel
-_LOWEST = 4  # minima looked at closely
+_SHORTEST = 1e-9  # a stretch of u in which a path that moves on cannot turn round
 _LOOK = 64  # places a piece at which degeneracy is looked for
 
 
@@ -144,7 +144,7 @@ def _guided(path: Path, direction: Callable[[ArrayLike], Array], axis: int, dege
         return parts[..., 0] + 1j * parts[..., 1]
 
     scale = float(np.max(np.linalg.norm(direction(look), axis=-1)))
-    worst = _least(lambda u: float(np.abs(direct(np.array(u)))), look, np.abs(direct(look)))
+    worst = np.array(lowest(lambda u: float(np.abs(direct(np.array(u)))), look, np.abs(direct(look))))
     if np.abs(direct(worst)) <= _DEGENERATE * max(scale, 1.0):
         place = np.round(path.point(worst), 6).tolist()
         raise GeometryError(
@@ -167,19 +167,6 @@ def _guided(path: Path, direction: Callable[[ArrayLike], Array], axis: int, dege
     return frame
 
 
-def _least(function: Callable[[float], float], look: Array, values: Array) -> Array:
-    """Where a function is least, near the lowest of the samples that are lower than their neighbours."""
-    from scipy.optimize import minimize_scalar
-
-    around = np.concatenate([[np.inf], values, [np.inf]])
-    lows = np.flatnonzero((values <= around[:-2]) & (values <= around[2:]))
-    found = [float(look[np.argmin(values)])]
-    for i in lows[np.argsort(values[lows])][:_LOWEST]:
-        bounds = look[max(i - 1, 0)], look[min(i + 1, len(look) - 1)]
-        found.append(float(minimize_scalar(function, bounds=bounds, method="bounded", options={"xatol": 1e-12}).x))
-    return np.array(min(found, key=function))
-
-
 def _stretches(path: Path) -> Array:
     """The breaks of a path, with more where its tangent turns far from that at the last one."""
     found = []
@@ -188,6 +175,11 @@ def _stretches(path: Path) -> Array:
         start, stop = waiting.pop()
         tangents = path.tangent(np.linspace(start, stop, _LOOK))
         if np.min(tangents @ tangents[0]) < _STRETCH:
+            if stop - start < _SHORTEST:
+                problem = Problem(
+                    f"u = {start:.6g} at {np.round(path.point(start), 6).tolist()}", "it turns back there"
+                )
+                raise GeometryError("The path cannot be used", [problem])
             middle = (start + stop) / 2.0
             waiting += [(start, middle), (middle, stop)]
         else:

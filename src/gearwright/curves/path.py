@@ -11,13 +11,15 @@ import numpy as np
 from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, Problem
 from .curve import Curve
-from .smooth import Smooth, smooth
+from .smooth import Smooth, lowest, smooth
 from .spline import spline_spans
 
 _TOLERANCE = 1e-14  # of the series of a path, relative to its coordinates
 _MEETING = 1e-9  # of the path's extent: ends no farther apart meet
 _CORNER = 1e-6  # radians; tangents that differ by more make a corner
-_STANDSTILL = 1e-9  # of the mean speed
+_STANDSTILL = 1e-7  # of the mean speed
+
+_NEEDED = "points (n, 3) for u (n,) are needed, or one point (3,) for one u"
 
 _BERNSTEIN_TO_CHEBYSHEV = (
     np.array([[10.0, 6.0, 6.0, 10.0], [-15.0, -3.0, 3.0, 15.0], [6.0, -6.0, -6.0, 6.0], [-1.0, 3.0, -3.0, 1.0]]) / 32.0
@@ -96,11 +98,15 @@ class Path(Curve):
     def _standstills(self) -> list[Problem]:
         u = np.unique([*np.linspace(0.0, 1.0, 1025), *self.series.breaks])
         speeds = np.linalg.norm(self.derivative(u), axis=-1)
-        slowest = int(np.argmin(speeds))
-        if speeds[slowest] > _STANDSTILL * speeds.mean():
+        if speeds.mean() <= _STANDSTILL * float(np.max(np.abs(self.point(u)))):
+            return [Problem("the whole path", "it stays where it is; it must lead somewhere")]
+        slowest = lowest(lambda x: float(np.linalg.norm(self.derivative(x))), u, speeds)
+        if np.linalg.norm(self.derivative(slowest)) > _STANDSTILL * speeds.mean():
             return []
-        place = np.round(self.point(u[slowest]), 6).tolist()
-        return [Problem(f"u = {u[slowest]:.6g} at {place}", "it stands still there; let it move on at every u")]
+        place = np.round(self.point(slowest), 6).tolist()
+        return [
+            Problem(f"u = {slowest:.6g} at {place}", "it stands still there, or turns back; let it move on at every u")
+        ]
 
     def _corners(self) -> list[Problem]:
         inner = self.series.breaks[1:-1]
@@ -159,21 +165,24 @@ def _by_array(function: Callable[[Array], ArrayLike]) -> Callable[[Array], Array
     def one_by_one(u: Array) -> Array:
         return np.array([np.asarray(function(x), float) for x in u])
 
-    trial = np.array([0.3, 0.6])
+    def checked(u: Array) -> Array:
+        try:
+            points = one_by_one(u) if alone else np.asarray(function(u), float)
+        except Exception as error:  # whatever a person's function may raise
+            problem = Problem(f"path({u[0]:.6g}) or near fails: {type(error).__name__}: {error}", _NEEDED)
+            raise GeometryError("The path cannot be used", [problem]) from error
+        if points.shape != (len(u), 3):
+            problem = Problem(f"path(u) of shape {points.shape} for {len(u)} values of u", _NEEDED)
+            raise GeometryError("The path cannot be used", [problem])
+        return points
+
+    alone = False
     try:
-        if np.shape(function(trial)) == (2, 3):
-            return lambda u: np.asarray(function(u), float)
-    except (TypeError, ValueError, ArithmeticError):
-        pass  # it may take one u at a time
-    try:
-        shape = one_by_one(trial).shape
-    except (TypeError, ValueError, ArithmeticError) as error:
-        problem = Problem(f"path(0.3) fails: {type(error).__name__}: {error}", "points (n, 3) for u (n,) are needed")
-        raise GeometryError("The path cannot be used", [problem]) from error
-    if shape != (2, 3):
-        problem = Problem(f"path(u) of shape {shape} for 2 values of u", "points (n, 3) for u (n,) are needed")
-        raise GeometryError("The path cannot be used", [problem])
-    return one_by_one
+        alone = np.shape(function(np.array([0.3, 0.6]))) != (2, 3)
+    except Exception:  # noqa: BLE001  a person's function; it may take one u at a time
+        alone = True
+    checked(np.array([0.3, 0.6]))
+    return checked
 
 
 def _points(points: ArrayLike) -> Array:

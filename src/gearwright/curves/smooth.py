@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from numpy.typing import NDArray
 
 from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, Problem
@@ -23,6 +24,11 @@ _MOST_PIECES = 20_000
 _NARROW = 1e-9  # of the interval: pieces narrower than this have closed in on a kink
 _JUMP = 1e-9  # of the function's size: values of neighbouring pieces that differ by more where they meet
 _BEND = 1e-7  # the same of their slopes, by the interval: rounding leaves some 1e-12
+
+_LOOKS = 200  # places at which the whole is looked at once more
+_MISS = 100.0  # tolerances by which a series may miss the function there: noise adds up over its terms
+
+Flags = NDArray[np.bool_]
 
 _NODES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))[::-1]
 """Roots of T_24: all inside, so that no piece ever looks beyond its ends."""
@@ -72,6 +78,20 @@ class Smooth:
         return replace(self, coefficients=series)
 
 
+def lowest(function: Callable[[float], float], x: Array, values: Array, most: int = 8) -> float:
+    """Where a function is least: near the lowest of the samples, values at x (n,), that are below their neighbours."""
+    from scipy.optimize import minimize_scalar
+
+    around = np.concatenate([[np.inf], values, [np.inf]])
+    lows = np.flatnonzero((values <= around[:-2]) & (values <= around[2:]))
+    found = [float(x[np.argmin(values)])]
+    for i in lows[np.argsort(values[lows])][:most]:
+        low, high = x[max(i - 1, 0)], x[min(i + 1, len(x) - 1)]
+        options = {"xatol": 1e-12 * (high - low)}
+        found.append(float(minimize_scalar(function, bounds=(low, high), method="bounded", options=options).x))
+    return min(found, key=function)
+
+
 def smooth(
     function: Callable[[Array], Array],
     breaks: Sequence[float] | Array,
@@ -79,47 +99,76 @@ def smooth(
     tolerance: float,
     name: str,
     least: float = 0.0,
+    groups: Sequence[int] = (),
 ) -> Smooth:
     """The piecewise series of a function (n,) → (n, m) between the first and the last of the breaks.
 
     breaks      where pieces must end; the function may jump there
     tolerance   of the values, relative to the largest one or to `least`, whichever is larger
     name        what the function is called where it is refused
+    groups      for each component, the number of the group whose largest value it is measured by; () for one group
 
+    A piece is accepted when its last coefficients are negligible and the series meets the function at other points,
+    no farther apart than 1/200 of the whole. What is narrower and falls between them, nobody can see.
     Raises GeometryError where it is not finite, jumps, or is rougher than the tolerance asks.
     """
-    found = _resolved(function, np.asarray(breaks, float), tolerance, name, least)
+    asked = _Asked(function=function, tolerance=tolerance, name=name, least=least, groups=tuple(groups))
+    found = _resolved(asked, np.asarray(breaks, float))
     narrow = _closed_in(found.breaks)
     if narrow:
-        again = _resolved(function, np.unique([*breaks, *narrow]), tolerance, name, least)
+        again = _resolved(asked, np.unique([*breaks, *narrow]))
         found = replace(again, evaluations=found.evaluations + again.evaluations)
     return replace(found, kinks=_kinks(found, np.asarray(breaks, float), tolerance, name, least))
 
 
-def _resolved(function: Callable[[Array], Array], breaks: Array, tolerance: float, name: str, least: float) -> Smooth:
+@dataclass(frozen=True, kw_only=True)
+class _Asked:
+    """What `smooth` was asked for."""
+
+    function: Callable[[Array], Array]
+    tolerance: float
+    name: str
+    least: float
+    groups: tuple[int, ...]
+
+    def values(self, x: Array) -> Array:
+        """Values (..., m) at x (...)."""
+        found = np.asarray(self.function(x.ravel()), float)
+        return _finite(found, x.ravel(), self.name).reshape(*x.shape, -1)
+
+    def by_group(self, largest: Array) -> Array:
+        """For each component (m,) the largest value of its group."""
+        groups = np.array(self.groups or [0] * len(largest))
+        return np.array([max(self.least, float(np.max(largest[groups == g]))) or 1.0 for g in groups])
+
+
+def _resolved(asked: _Asked, breaks: Array) -> Smooth:
     open_, done, series = np.stack([breaks[:-1], breaks[1:]], axis=1), [], []
-    scale, evaluations, error = least, 0, 0.0
+    largest, evaluations, error = np.zeros(1), 0, 0.0
     for _ in range(_DEEPEST):
         middle, half = open_.mean(axis=1)[:, None], (open_[:, 1:] - open_[:, :1]) / 2.0
-        x = middle + half * _NODES
-        values = _finite(np.asarray(function(x.ravel()), float), x.ravel(), name).reshape(*x.shape, -1)
-        evaluations += x.size
-        scale = max(scale, float(np.max(np.abs(values))))
+        values = asked.values(middle + half * _NODES)
+        evaluations += values[..., 0].size
+        largest = np.maximum(largest, np.max(np.abs(values), axis=(0, 1)))
+        scale = asked.by_group(largest)
         coefficients = _TO_SERIES @ values
-        tails = np.max(np.abs(coefficients[:, -_TAIL:]), axis=(1, 2))
-        good = tails <= tolerance * scale
-        error = max(error, float(np.max(tails[good], initial=0.0)) / (scale or 1.0))
+        tails = np.max(np.abs(coefficients[:, -_TAIL:]) / scale, axis=(1, 2))
+        good = tails <= asked.tolerance
+        looks = _looks(open_[good], breaks[-1] - breaks[0])
+        evaluations += looks.size
+        good[good] = _met(asked, open_[good], coefficients[good], looks, scale)
+        error = max(error, float(np.max(tails[good], initial=0.0)))
         done.append(open_[good])
         series.append(coefficients[good])
         rough = open_[~good]
         if not len(rough):
             break
         if len(rough) > _MOST_PIECES:
-            raise _rough(name, rough, tolerance, "everywhere, about")
+            raise _rough(asked.name, rough, asked.tolerance, "everywhere, about")
         centres = rough.mean(axis=1)
         open_ = np.concatenate([np.stack([rough[:, 0], centres], axis=1), np.stack([centres, rough[:, 1]], axis=1)])
     else:
-        raise _rough(name, open_, tolerance, "near")
+        raise _rough(asked.name, open_, asked.tolerance, "near")
     intervals = np.concatenate(done)
     order = np.argsort(intervals[:, 0])
     return Smooth(
@@ -128,6 +177,25 @@ def _resolved(function: Callable[[Array], Array], breaks: Array, tolerance: floa
         error=error,
         evaluations=evaluations,
     )
+
+
+def _looks(intervals: Array, whole: float) -> Array:
+    """Further places (k, n) in each interval (k, 2), uneven ones, as close together as the widest interval needs."""
+    if not len(intervals):
+        return np.empty((0, 0))
+    count = 2 + int(np.ceil(_LOOKS * np.max(np.diff(intervals, axis=1)) / whole))
+    uneven = (np.arange(count) + 0.5 + 0.3 * np.sin(7.0 * np.arange(count))) / count
+    return intervals[:, :1] + np.diff(intervals, axis=1) * uneven
+
+
+def _met(asked: _Asked, intervals: Array, coefficients: Array, looks: Array, scale: Array) -> Flags:
+    """Whether each interval's series (k,) meets the function at the further places."""
+    if not len(intervals):
+        return np.zeros(0, bool)
+    local = (2.0 * looks - intervals.sum(axis=1, keepdims=True)) / np.diff(intervals, axis=1)
+    series = chebyshev.chebvander(local.ravel(), _DEGREE).reshape(*local.shape, -1)
+    misses = np.abs(series @ coefficients - asked.values(looks)) / scale
+    return np.asarray(np.max(misses, axis=(1, 2)) <= _MISS * asked.tolerance)
 
 
 def _finite(values: Array, x: Array, name: str) -> Array:

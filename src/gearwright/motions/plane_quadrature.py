@@ -30,9 +30,13 @@ def quadrature_moments(
     # three points that tell the linear volume element
     corners = local.origin + np.array([[0.0, 0.0], [size, 0.0], [0.0, size]])
     look = np.linspace(start, finish, _LOOK)
-    path = motion.place(np.broadcast_to(local.origin, (_LOOK, 2)), look)
+    middle = np.broadcast_to(local.origin, (_LOOK, 2))
+    path = motion.place(middle, look)
     origin = (path.min(axis=0) + path.max(axis=0)) / 2.0
-    extent = float(np.max(np.abs(path - origin))) + size
+    widest = max(
+        float(np.max(np.abs(motion.carry(middle, np.broadcast_to(axis, (_LOOK, 2)), look)))) for axis in np.eye(2)
+    )
+    extent = float(np.max(np.abs(path - origin))) + size * widest
     unit = np.outer([1.0, extent, extent, extent], [1.0, extent, extent, extent])
 
     def integrand(v: Array) -> Array:

@@ -14,6 +14,7 @@ from ..errors import GeometryError, Problem
 
 NAMES = ("f1", "g1", "h1", "f2", "g2", "h2")
 """x′ = f₁ x + g₁ y + h₁, y′ = f₂ x + g₂ y + h₂."""
+_GROUPS = (0, 0, 1, 0, 0, 1)  # offsets may be large, and must not take the linear map's digits
 _IDENTITY = {"f1": [1.0], "g2": [1.0]}
 _ALIKE = 1e-15  # of the largest coefficient: f₁ = g₂ and f₂ = −g₁ to rounding make a turn and an even scaling
 
@@ -61,7 +62,7 @@ def transform_of(function: Callable[[float], ArrayLike], length: float, toleranc
     def entries(xi: Array) -> Array:
         return np.array([_entries(function, float(x)) for x in xi])
 
-    return Transform(series=smooth(entries, [0.0, length], tolerance=tolerance, name="transform"))
+    return Transform(series=smooth(entries, [0.0, length], tolerance=tolerance, name="transform", groups=_GROUPS))
 
 
 def polynomial_transform(coefficients: Mapping[str, Sequence[float]], length: float) -> Transform:
@@ -103,7 +104,7 @@ def _numbers(given: object) -> bool:
 def _entries(function: Callable[[float], ArrayLike], xi: float) -> Array:
     try:
         matrix = np.asarray(function(xi), float)
-    except (TypeError, ValueError, ArithmeticError) as error:
+    except Exception as error:  # whatever a person's function may raise
         problem = Problem(f"transform({xi:.6g}) fails: {type(error).__name__}: {error}", "a matrix is needed")
         raise GeometryError("The transform cannot be used", [problem]) from error
     if matrix.shape == (2, 2):

@@ -13,8 +13,9 @@ from ..errors import Problem
 from .loop import Loop
 
 _COARSE, _FINE = 1e-5, 1e-8  # chords' distance from their curves, relative to the section's size
+_DOUBT = 4.0  # chords' distances by which loops may be nearer than their chords are, with room
 _LOOK = 16  # chords by whose sagitta the number of chords is chosen
-_MOST = 4096  # chords a curve
+_MOST = 32_768  # chords a curve
 
 
 def crossing_problems(loops: Sequence[Loop]) -> list[Problem]:
@@ -24,17 +25,19 @@ def crossing_problems(loops: Sequence[Loop]) -> list[Problem]:
     with chords a thousand times closer to the curves.
     """
     curves = [loop.with_copies(1).curves for loop in loops]
-    coarse = _problem([_chords(one, _COARSE) for one in curves])
-    fine = _problem([_chords(one, _FINE) for one in curves]) if coarse else None
+    looks, _ = along([curve for one in curves for curve in one], np.linspace(0.0, 1.0, _LOOK + 1))
+    size = float(np.ptp(looks.reshape(-1, 2), axis=0).max())
+    coarse = _problem([_chords(one, _COARSE) for one in curves], _DOUBT * _COARSE * size)
+    fine = _problem([_chords(one, _FINE) for one in curves], _DOUBT * _FINE * size) if coarse else None
     return [fine] if fine else []
 
 
-def _problem(rings: Sequence[Array]) -> Problem | None:
+def _problem(rings: Sequence[Array], near: float) -> Problem | None:
     import shapely
 
     reason = shapely.is_valid_reason(shapely.Polygon(rings[0], rings[1:]))
     if reason == "Valid Geometry":
-        return None
+        return _touching(rings, near)
     kind, x, y = _kind_and_place(str(reason))
     loops = " and ".join(str(i + 1) for i in _at(rings, np.array([x, y])))
     messages = {
@@ -47,6 +50,23 @@ def _problem(rings: Sequence[Array]) -> Problem | None:
     return Problem(
         f"loop {loops or '1'} at ({x:.6g}, {y:.6g})",
         f"{messages.get(kind, kind)}; a section is one region, its loops clear of themselves and of each other",
+    )
+
+
+def _touching(rings: Sequence[Array], near: float) -> Problem | None:
+    """Where two loops come as near to each other as the chords leave in doubt."""
+    import shapely
+
+    lines = np.array([shapely.LinearRing(ring) for ring in rings])
+    first, second = shapely.STRtree(lines).query(lines, predicate="dwithin", distance=near)
+    pairs = np.stack([first, second], axis=1)[first < second]
+    if not len(pairs):
+        return None
+    i, j = (int(k) for k in pairs[0])
+    x, y = shapely.get_coordinates(shapely.shortest_line(lines[i], lines[j]))[0]
+    return Problem(
+        f"loops {i + 1} and {j + 1} at ({x:.6g}, {y:.6g})",
+        "they touch there, or are too close to tell; holes keep clear of the outline and of each other",
     )
 
 

@@ -6,16 +6,20 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arrays import Array, Indices
+from ..arrays import Array
 from ..curves.curve import along
+from ..curves.smooth import lowest, smooth
 from ..errors import Problem
 from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
 
-_STATIONS = 8  # a panel of the motion, at which the least volume element is looked at first
-_FEWEST = 64  # stations in all
+_STATIONS = 72  # a piece of the series of the volume element, thrice their degree
+_RESOLVED = 1e-7  # of the volume element, by its series
+_MOST_DIPS = 24  # looked at closely
+_FAR = 0.5  # of the greatest volume element: what stays above it comes nowhere near nought
+_STILL = 1e-14  # of the mean volume element: points on an axis, to rounding
 _DOUBTFUL = 0.02  # of the section's share in the volume element: more than samples on its curves can miss
 _NOUGHT = 1e-12  # of the mean volume element
 _SAME = 1e-9  # of the section's size
@@ -32,17 +36,16 @@ def inversions(section: LoopedSection, motion: Motion, ends: Ends) -> list[Probl
     if constants is None or not isinstance(section, Section):
         return _sampled(section, motion, ends)
     least = _Least(section, motion)
-    stations = _stations(motion, *constants)
+    stations = _stations(least, motion, *constants)
     rough, doubt = least.roughly(stations)
     scale = float(np.mean(np.abs(rough) + doubt))
-    limit = -_NOUGHT * scale if motion.has_still_points else _NOUGHT * scale
-    candidates = np.flatnonzero(rough - _DOUBTFUL * doubt <= limit)
-    if not len(candidates):
+    limit = -_STILL * scale if motion.has_still_points else _NOUGHT * scale
+    if np.min(rough - _DOUBTFUL * doubt) > _FAR * np.max(rough):
         return []
-    worst = _minimum(lambda v: least.exactly(v)[0], stations, rough, candidates)
+    worst = lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
     value, point = least.exactly(worst)
     if value > limit:
-        return _pinches(section, motion, worst, _NOUGHT * scale) if motion.has_still_points else []
+        return _pinches(section, motion, worst, _STILL * scale) if motion.has_still_points else []
     place = np.round(motion.place(point, worst), 6).tolist()
     where = f"section point {np.round(point, 6).tolist()} at {motion.station(worst)}, {place} in space"
     first, last = _range(lambda v: least.exactly(v)[0] - limit, stations, worst)
@@ -91,6 +94,11 @@ class _Least:
         ]
         return at[0], np.stack([at[1] - at[0], at[2] - at[0]], axis=-1) / self._size
 
+    def coefficients(self, v: Array) -> Array:
+        """J at the middle of the section, and what the slopes make of its size (n, 3)."""
+        middle, slopes = self._linear(v)
+        return np.concatenate([middle[:, None], slopes * self._size], axis=1)
+
     def roughly(self, v: Array) -> tuple[Array, Array]:
         """Least J (n,), from samples of the section, and the section's share in it (n,)."""
         middle, slopes = self._linear(v)
@@ -108,21 +116,18 @@ class _Least:
         return float(middle - reach - slope @ self._middle), point
 
 
-def _stations(motion: Motion, start: float, finish: float) -> Array:
+def _stations(least: _Least, motion: Motion, start: float, finish: float) -> Array:
+    """Parameters so close together that the volume element has no dip between two of them.
+
+    Its coefficients j and k are resolved by series; polynomials of their degree have no features narrower than that.
+    """
     breaks = np.array([start, *motion.panels(start, finish), finish])
-    each = max(_STATIONS, -(-_FEWEST // (len(breaks) - 1)))
-    inner = breaks[:-1, None] + np.diff(breaks)[:, None] * (np.arange(each) / each)
+    series = smooth(least.coefficients, breaks, tolerance=_RESOLVED, name="motion's volume element")
+    fractions = (
+        1.0 - np.cos(np.pi * np.arange(_STATIONS) / _STATIONS)
+    ) / 2.0  # denser at the ends, as its features are
+    inner = series.breaks[:-1, None] + np.diff(series.breaks)[:, None] * fractions
     return np.append(inner.ravel(), finish)
-
-
-def _minimum(function: Callable[[float], float], stations: Array, rough: Array, candidates: Indices) -> float:
-    """The parameter of the least value near the lowest of the candidates."""
-    from scipy.optimize import minimize_scalar
-
-    best = int(candidates[np.argmin(rough[candidates])])
-    low, high = stations[max(best - 1, 0)], stations[min(best + 1, len(stations) - 1)]
-    found = minimize_scalar(function, bounds=(low, high), method="bounded", options={"xatol": 1e-12 * (high - low)})
-    return min((float(found.x), float(stations[best])), key=function)
 
 
 def _range(excess: Callable[[float], float], stations: Array, worst: float) -> tuple[float, float]:
