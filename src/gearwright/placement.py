@@ -74,7 +74,10 @@ class Placement:
 
 def require_rotation(rotation: ArrayLike, within: float) -> Array:
     """The matrix (3, 3) if it is a right-handed rotation to within so much, entry by entry; else GeometryError."""
-    matrix = np.array(rotation, dtype=float)
+    try:
+        matrix = np.array(rotation, dtype=float)
+    except (TypeError, ValueError):
+        matrix = np.empty(0)
     if matrix.shape != (3, 3):
         given, wanted = f"rotation of shape {matrix.shape}", "an array (3, 3) is needed"
     elif np.abs(matrix @ matrix.T - np.eye(3)).max() < within and np.linalg.det(matrix) > 0.0:

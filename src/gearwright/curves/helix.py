@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, numbers_in
 from ..errors import ParameterError, Problem
 from .path import Path, path_of
 
+_MOST = 1e12
 _TOLERANCE = 1e-14
 _ROUNDINGS = 8.0 * float(np.finfo(float).eps)
 
@@ -26,9 +25,9 @@ def helix(radius: float, pitch: float, turns: float = 1.0, hand: str = "right") 
     """
     given: dict[str, object] = {"radius": radius, "pitch": pitch, "turns": turns}
     problems = [
-        Problem(f"{name} = {value!r}", "a finite number is needed")
+        Problem(f"{name} = {value!r}", f"a finite number of at most {_MOST:g} is needed")
         for name, value in given.items()
-        if not (isinstance(value, int | float | np.number) and math.isfinite(value))
+        if not (numbers_in(value, most=_MOST) is not None)
     ]
     if not problems:
         limits = {"radius": radius > 0.0, "pitch": pitch >= 0.0, "turns": turns > 0.0}

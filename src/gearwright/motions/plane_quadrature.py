@@ -15,6 +15,7 @@ from .motion import Motion
 
 TOLERANCE = 1e-13
 """Default for the quadrature, relative to the volume times the body's extent."""
+_ROUNDINGS = 8.0 * float(np.finfo(float).eps)
 _LOOK = 33  # stations by which the extent is measured
 
 
@@ -47,6 +48,8 @@ def quadrature_moments(
         return plane_sweep(local.values, motion.place(point, v) - origin, np.stack(axes, axis=-1), slopes) / unit
 
     breaks = np.array([start, *motion.panels(start, finish), finish])
-    matrix, error, evaluations = adaptive(integrand, breaks, tolerance)
+    # places far off are rounded, and no refinement mends it
+    noise = _ROUNDINGS * float(np.max(np.abs(path))) / extent
+    matrix, error, evaluations = adaptive(integrand, breaks, max(tolerance, noise))
     body = about_centroid(matrix * unit, "exact", error + section.moments_error, origin)
     return replace(body, evaluations=evaluations)

@@ -15,6 +15,8 @@ from ..moments.boundary_integral import plane_moments
 from .crossing import crossing_problems
 from .loop import Loop
 
+SMALLEST, LARGEST = 1e-15, 1e15
+"""Sizes and coordinates whose fifth powers, and the ratios of them, stay numbers."""
 _COINCIDENT = 1e-12  # of the outline's size: points closer are one point given twice
 _NODES = 20
 
@@ -41,6 +43,10 @@ def spline_loop(points: ArrayLike, name: str, sense: int) -> Loop:
 
 def curve_loop(curves: Sequence[Curve], name: str, sense: int) -> Loop:
     """The loop of curves, turned to run in the sense (±1). Raises GeometryError where it does not close."""
+    if not all(isinstance(curve, Curve) for curve in curves):
+        raise GeometryError(
+            "This is not a section", [Problem(f"{name} = {curves!r}", "a sequence of curves is needed")]
+        )
     loop = Loop(curves=tuple(curves))
     points, tangents = chain_quadrature(loop.curves, _NODES)
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
@@ -58,14 +64,15 @@ def _outline_points(points: ArrayLike, name: str) -> Array:
     """The points (n, 2) of a closed outline, each once."""
     try:
         found = np.array(points, float)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise GeometryError("This is not a section", [Problem(name, f"an array (n, 2) is needed ({error})")]) from error
     if found.ndim != 2 or found.shape[1:] != (2,):
         raise GeometryError(
             "This is not a section", [Problem(f"{name} of shape {found.shape}", "points are an array (n, 2)")]
         )
-    bad = np.flatnonzero(~np.isfinite(found).all(axis=1))
-    problems = [Problem(f"{name}, point {i} = {found[i].tolist()}", "coordinates must be finite") for i in bad[:3]]
+    bad = np.flatnonzero(~(np.abs(found) <= LARGEST).all(axis=1))
+    wanted = f"coordinates must be finite, and at most {LARGEST:g}"
+    problems = [Problem(f"{name}, point {i} = {found[i].tolist()}", wanted) for i in bad[:3]]
     if not problems:
         if len(found) > 1 and np.array_equal(found[0], found[-1]):
             found = found[:-1]

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite, pi
-from numbers import Real
+from math import pi
 from pathlib import Path
 from typing import Self
 
 import numpy as np
 
-from ..arrays import Array, ArrayLike
+from ..arrays import Array, ArrayLike, numbers_in
 from ..curves.arc import Arc
 from ..curves.curve import Curve
 from ..errors import GeometryError, Problem
@@ -21,10 +20,13 @@ from ..moments.plane import PlaneMoments
 from ..moments.quadrature import converged
 from .crossing import crossing_problems
 from .loop import Loop
-from .outlines import curve_loop, polygon_loop, spline_loop
+from .outlines import LARGEST, SMALLEST, curve_loop, polygon_loop, spline_loop
 from .properties import SectionProperties
 from .section import LoopedSection
 from .support import Support, support
+
+_LOST = 1e-9  # of the distance from the origin: a section smaller than that has lost half of its digits
+_COORDINATES = 4.0 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,6 +133,11 @@ class Section(LoopedSection):
         return middle, float(np.max(np.abs(points - middle))) or 1.0
 
     @property
+    def moments_error(self) -> float:
+        """Relative error of the moments about the section's own middle, the rounding of far coordinates included."""
+        return super().moments_error + _COORDINATES * float(np.max(np.abs(self.middle))) / self.size
+
+    @property
     def middle(self) -> Array:
         """A point (2,) in the middle of the section."""
         return self._frame[0]
@@ -168,17 +175,16 @@ class Section(LoopedSection):
 
 
 def _require(lengths: dict[str, float], centre: tuple[float, float]) -> None:
-    """Raises GeometryError for lengths that are not positive or a centre that is no point of the plane."""
+    """Raises GeometryError for lengths that are not positive, or lost in the distance of the centre."""
+    sizes = {name: numbers_in(value, most=LARGEST) for name, value in lengths.items()}
+    middle = numbers_in(centre, 2, LARGEST)
+    least = max(SMALLEST, _LOST * max(map(abs, middle or [0.0])))
     problems = [
-        Problem(f"{name} = {value}", "a length greater than 0 is needed")
-        for name, value in lengths.items()
-        if not (_finite(value) and value > 0.0)
+        Problem(f"{name} = {lengths[name]}", f"a length greater than 0 is needed, here from {least:.2g} to {LARGEST:g}")
+        for name, size in sizes.items()
+        if size is None or size[0] < least
     ]
-    if np.shape(centre) != (2,) or not all(map(_finite, centre)):
-        problems.append(Problem(f"centre = {centre}", "a point (x, y) is needed"))
+    if middle is None:
+        problems.append(Problem(f"centre = {centre}", f"a point (x, y) is needed, coordinates up to {LARGEST:g}"))
     if problems:
         raise GeometryError("This is not a section", problems)
-
-
-def _finite(value: object) -> bool:
-    return isinstance(value, Real) and isfinite(value)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import ArrayLike
+from ..arrays import ArrayLike, numbers_in
 from ..boundary.boundary import Boundary
 from ..boundary.extent import bounding_box, rough_diagonal, surface_area
 from ..boundary.flux import boundary_flux
@@ -69,10 +69,10 @@ class Solid(ABC):
         from .moved import Moved
 
         matrix = require_rotation(rotation, ORTHONORMAL)
-        shift = np.array(translation, dtype=float)
-        if shift.shape != (3,) or not np.all(np.isfinite(shift)):
+        shift = numbers_in(translation, 3)
+        if shift is None:
             wanted = "three finite lengths are needed"
-            raise GeometryError("A body cannot be moved so", [Problem(f"translation = {shift.tolist()}", wanted)])
+            raise GeometryError("A body cannot be moved so", [Problem(f"translation = {translation!r}", wanted)])
         return Moved(solid=self, placement=Placement.of(matrix, shift))
 
     def __add__(self, other: Solid) -> Solid:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from numbers import Real
 
 import numpy as np
 
-from ..arrays import Array, ArrayLike
+from ..arrays import Array, ArrayLike, numbers_in
 from ..curves.frames import FRAMES
 from ..curves.path import Path, path_of, path_through
 from ..curves.path_file import path_from_file
@@ -26,6 +25,9 @@ from ..motions.transforming import Transforming
 from ..sections.plane import Section
 from .swept import Swept
 
+_LEAST, _MOST = 1e-12, 1e12  # lengths, whose fifth powers must stay numbers
+_LENGTH = f"a length greater than 0 is needed, from {_LEAST:g} to {_MOST:g}"
+_LEAST_ANGLE = 1e-4  # degrees: the wedge of a thinner one could hardly be told from nothing
 _LEAST_TOLERANCE, _MOST_TOLERANCE = 1e-14, 1e-3
 _SHARE = 10.0  # the transform is known so much better than the moments are asked for
 
@@ -47,14 +49,15 @@ def extrude(
     Raises ParameterError with every problem found. Source: Al-Daccak 1989, eqs. (5.15)–(5.20).
     """
     problems = [
-        *_unless(_finite(length) and length > 0, f"length = {length}", "a length greater than 0 is needed"),
-        *_unless(_finite(twist), f"twist = {twist}", "a finite angle in degrees is needed"),
+        *_no_section(section),
+        *_unless(_within(length, _LEAST, _MOST), f"length = {length}", _LENGTH),
+        *_unless(numbers_in(twist) is not None, f"twist = {twist}", "a finite angle in degrees is needed"),
         *_unless(
-            np.shape(scale) == (2,) and _finite(*scale) and min(scale) > 0,
+            min(numbers_in(scale, 2, _MOST) or [0.0]) > 0,
             f"scale = {scale}",
             "two factors greater than 0 are needed; at 0 the solid would end in a line or point",
         ),
-        *_unless(np.shape(skew) == (2,) and _finite(*skew), f"skew = {skew}", "two finite lengths are needed"),
+        *_unless(numbers_in(skew, 2, _MOST) is not None, f"skew = {skew}", "two finite lengths are needed"),
     ]
     if problems:
         raise ParameterError("extrude", problems)
@@ -81,10 +84,11 @@ def sweep(
     Source: Al-Daccak 1989, eqs. (5.3)–(5.13).
     """
     problems = [
-        *_unless(_finite(length) and length > 0, f"length = {length}", "a length greater than 0 is needed"),
+        *_no_section(section),
+        *_unless(_within(length, _LEAST, _MOST), f"length = {length}", _LENGTH),
         *_unless(callable(transform), f"transform = {transform!r}", "a function of ξ is needed"),
         *_unless(
-            _finite(tolerance) and _LEAST_TOLERANCE <= tolerance <= _MOST_TOLERANCE,
+            _within(tolerance, _LEAST_TOLERANCE, _MOST_TOLERANCE),
             f"tolerance = {tolerance}",
             f"between {_LEAST_TOLERANCE:g} and {_MOST_TOLERANCE:g} is possible",
         ),
@@ -116,7 +120,9 @@ def sweep_along(
     reaches beyond the path's centre of curvature, with the radius of curvature that would do; FileError, MachineError
     where a file of points cannot be used.
     """
-    problems = _unless(frame in FRAMES, f"frame = {frame!r}", f"choose one of {', '.join(FRAMES)}")
+    problems = _no_section(section) + _unless(
+        frame in FRAMES, f"frame = {frame!r}", f"choose one of {', '.join(FRAMES)}"
+    )
     if problems:
         raise ParameterError("sweep_along", problems)
     section.require_simple()
@@ -132,8 +138,10 @@ def revolve(section: Section, angle: float = 360.0) -> Swept:
 
     Raises ParameterError for another angle, GeometryError if the section crosses the axis.
     """
-    problems = _unless(
-        _finite(angle) and 0.0 < angle <= 360.0, f"angle = {angle}", "more than 0° and at most 360° is needed"
+    problems = _no_section(section) + _unless(
+        _within(angle, _LEAST_ANGLE, 360.0),
+        f"angle = {angle}",
+        f"at least {_LEAST_ANGLE:g}° and at most 360° is needed",
     )
     if problems:
         raise ParameterError("revolve", problems)
@@ -150,8 +158,13 @@ def _path(given: Path | ArrayLike | Callable[[Array], ArrayLike] | str | os.Path
     return path_of(given) if callable(given) else path_through(given)
 
 
-def _finite(*values: object) -> bool:
-    return all(isinstance(v, Real) and math.isfinite(float(v)) for v in values)
+def _within(value: object, least: float, most: float) -> bool:
+    found = numbers_in(value, most=most)
+    return found is not None and found[0] >= least
+
+
+def _no_section(section: object) -> list[Problem]:
+    return _unless(isinstance(section, Section), f"section = {section!r}", "a plane section is needed: gw.Section.…")
 
 
 def _unless(good: bool, subject: str, message: str) -> list[Problem]:
