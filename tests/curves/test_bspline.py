@@ -6,7 +6,7 @@ from gearwright.curves.bezier import Bezier
 from gearwright.curves.bspline import bspline_spans
 from gearwright.curves.curve import along
 from gearwright.curves.elliptic_arc import EllipticArc
-from gearwright.curves.rational_bezier import RationalBezier
+from gearwright.curves.rational_bezier import RationalBezier, flat_arc
 
 FRACTIONS = np.linspace(0.0, 1.0, 9)
 
@@ -63,3 +63,16 @@ def test_an_elliptic_arc_of_any_vectors_is_the_image_of_the_unit_circle():
     on_circle = (arc.point(arc.parameter(FRACTIONS)) - [3.0, 1.0]) @ inverse.T
     np.testing.assert_allclose(np.arctan2(*on_circle.T[::-1]) % (2.0 * np.pi), 6.0 * FRACTIONS, atol=1e-14)
     np.testing.assert_allclose(np.linalg.norm(on_circle, axis=1), 1.0, atol=1e-15)
+
+
+@pytest.mark.parametrize("angle", [0.039, -0.02, 1e-6, 1.2])
+def test_a_flat_arc_is_the_circle_s(angle):
+    start, end = np.array([1.0, 2.0]), np.array([4.0, -1.0])
+    arc = flat_arc(start, end, angle)
+    np.testing.assert_array_equal([arc.start, arc.end], [start, end])
+    chord = end - start
+    radius = np.linalg.norm(chord) / (2.0 * abs(np.sin(angle / 2.0)))
+    left = np.array([-chord[1], chord[0]]) / np.linalg.norm(chord)
+    centre = (start + end) / 2.0 + np.sign(angle) * left * radius * np.cos(angle / 2.0)
+    distances = np.linalg.norm(arc.point(np.linspace(0.0, 1.0, 11)) - centre, axis=1)
+    np.testing.assert_allclose(distances, radius, rtol=1e-14)

@@ -66,7 +66,7 @@ def test_a_polygon_with_a_hole_has_the_moments_of_exact_arithmetic(seed, corners
     for (a, b), value in exact.items():
         scale = float(exact[0, 0]) * (3.0 + offset) ** (a + b)
         assert abs(float(Fraction(float(found.moments[a, b])) - value)) <= 2e-15 * scale
-    assert found.error_bound < 1e-14
+    assert found.error_bound < 1e-14 * max(1.0, offset)  # coordinates far off are rounded
 
 
 def test_either_sense_and_a_repeated_first_corner_are_the_same_polygon():

@@ -12,6 +12,9 @@ from ..arrays import Array, ArrayLike
 from .bezier import bernstein
 from .curve import Curve
 
+FLAT = 0.04
+"""An arc that turns by less, in radians, is better off without its centre."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class RationalBezier(Curve):
@@ -51,3 +54,15 @@ def _values(control: Array, weights: Array, u: ArrayLike) -> tuple[Array, Array]
     points = basis @ weighted / below
     steps = degree * (lower @ np.diff(weighted, axis=-2))
     return points, (steps - points * (degree * (lower @ np.diff(weights, axis=-1)[..., None]))) / below
+
+
+def flat_arc(start: Array, end: Array, angle: float) -> RationalBezier:
+    """The circular arc from start to end (2,) that turns by an angle, to the left if positive, |angle| < π.
+
+    By its ends and the point where their tangents meet: a flat arc's centre is so far off that its coordinates would
+    lose the arc's own digits.
+    """
+    chord = end - start
+    apex = (start + end + np.array([chord[1], -chord[0]]) * np.tan(angle / 2.0)) / 2.0
+    control = tuple(tuple(p.tolist()) for p in (start, apex, end))
+    return RationalBezier(control=control, weights=(1.0, float(np.cos(angle / 2.0)), 1.0))

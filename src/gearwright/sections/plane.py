@@ -26,7 +26,7 @@ from .section import LoopedSection
 from .support import Support, support
 
 _LOST = 1e-9  # of the distance from the origin: a section smaller than that has lost half of its digits
-_COORDINATES = 4.0 * float(np.finfo(float).eps)
+_COORDINATES = float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, kw_only=True)

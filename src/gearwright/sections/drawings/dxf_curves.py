@@ -13,6 +13,7 @@ from ...curves.bspline import bspline_spans
 from ...curves.curve import Curve
 from ...curves.elliptic_arc import EllipticArc
 from ...curves.line import Line, lines_through
+from ...curves.rational_bezier import FLAT, flat_arc
 from ...errors import FileError
 from .listing import place
 
@@ -123,10 +124,14 @@ def _side(a: Array, b: Array, bulge: float) -> Iterator[Curve]:
         yield Line(first=tuple(a.tolist()), last=tuple(b.tolist()))
         return
     chord = b - a
+    angle = 4.0 * float(np.arctan(bulge))
+    if abs(angle) < FLAT:
+        yield flat_arc(a, b, angle)
+        return
     centre = (a + b) / 2.0 + np.array([-chord[1], chord[0]]) * (1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge)
     radius = float(np.hypot(*chord)) * (1.0 + bulge**2) / (4.0 * abs(bulge))
-    angle = float(np.arctan2(*(a - centre)[::-1]))
-    yield Arc(radius=radius, centre=tuple(centre.tolist()), interval=(angle, angle + 4.0 * float(np.arctan(bulge))))
+    first = float(np.arctan2(*(a - centre)[::-1]))
+    yield Arc(radius=radius, centre=tuple(centre.tolist()), interval=(first, first + angle))
 
 
 def _spline(entity: Any) -> tuple[list[Curve], list[float]]:

@@ -13,7 +13,7 @@ from ...curves.bezier import Bezier
 from ...curves.curve import Curve
 from ...curves.elliptic_arc import EllipticArc
 from ...curves.line import Line
-from ...curves.rational_bezier import RationalBezier
+from ...curves.rational_bezier import FLAT, RationalBezier, flat_arc
 
 _ROUNDING = 8.0 * float(np.finfo(float).eps)
 """A gap this small, relative to the coordinates, is what computing the ends of an arc leaves."""
@@ -50,6 +50,8 @@ def _between(curve: Curve, start: Array, end: Array) -> tuple[Curve, ...]:
             return (replace(curve, control=(tuple(first.tolist()), *curve.control[1:-1], tuple(last.tolist()))),)
         case Arc() | EllipticArc():
             a, b = curve.interval
+            if isinstance(curve, Arc) and abs(b - a) < FLAT:
+                return (flat_arc(start, end, b - a),)
             if abs(b - a) <= np.pi * (1.0 + 1e-9):
                 return (_similar(curve, start, end),)
             half = (a + b) / 2.0
