@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import gearwright as gw
@@ -354,6 +354,12 @@ def test_corners_on_sides_but_for_rounding(level):
 
 @settings(deadline=None, max_examples=200)
 @given(soups())
+@example(  # what they share ends in a corner of one and on a side of the other
+    (
+        np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+        np.array([[0, 1, 2], [1, 3, 4]]),
+    )
+)
 def test_points_lie_on_both_triangles(soup):
     points, triangles = soup
     found = gw.Polyhedron(points, triangles).self_intersections()

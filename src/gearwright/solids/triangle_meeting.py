@@ -75,6 +75,9 @@ def _middle_of_cut(polygon: Array, count: int, origin: Array, normal: Array) -> 
     for k in range(count):
         here, there = polygon[k], polygon[(k + 1) % count]
         at_here, at_there = _dot(here - origin, normal), _dot(there - origin, normal)
+        if at_here == 0.0:
+            total += here
+            cuts += 1
         if at_here * at_there < 0.0:
             total += here + (there - here) * (at_here / (at_here - at_there))
             cuts += 1
