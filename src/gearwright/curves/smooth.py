@@ -7,7 +7,7 @@ values, derivatives and integrals are those of the series, to rounding.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -46,8 +46,8 @@ class Smooth:
     evaluations   how many values of the function were taken
     """
 
-    breaks: Array
-    coefficients: Array
+    breaks: Array = field(repr=False)
+    coefficients: Array = field(repr=False)
     kinks: tuple[float, ...] = ()
     error: float = 0.0
     evaluations: int = 0

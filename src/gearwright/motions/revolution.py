@@ -72,7 +72,7 @@ class Revolution(Motion):
         return super().refusal(ends)
 
     def station(self, v: float) -> str:
-        return f"azimuth {np.degrees(-v):.6g}°"
+        return f"azimuth {np.degrees(0.0 - v):.6g}°"
 
     def remedy(self, point: Array, v: float) -> str:
         del v
