@@ -14,3 +14,13 @@ def blocks(page):
 def links(page):
     """Files that a page refers to, by their paths."""
     return [page.parent / link for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))]
+
+
+def assert_blocks_print_what_stands_below(page, capsys):
+    """Runs the Python blocks of a page one after another, each followed by the text that it prints."""
+    shown = blocks(page)
+    codes, printed = ([text for kind, text in shown if kind == wanted] for wanted in ("python", "text"))
+    names = {}
+    for code, text in zip(codes, printed, strict=True):
+        exec(compile(code, page.name, "exec"), names)  # noqa: S102  our own example
+        assert capsys.readouterr().out.rstrip("\n") == text.rstrip("\n")

@@ -4,19 +4,14 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from .pages import ROOT, blocks, links
+from .pages import ROOT, assert_blocks_print_what_stands_below, links
 
 PAGE = ROOT / "docs/accuracy.md"
 
 
 def test_the_code_prints_what_stands_below_it_and_draws_the_figure(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    shown = blocks(PAGE)
-    codes, printed = ([text for kind, text in shown if kind == wanted] for wanted in ("python", "text"))
-    names = {}
-    for code, text in zip(codes, printed, strict=True):
-        exec(compile(code, PAGE.name, "exec"), names)  # noqa: S102  our own example
-        assert capsys.readouterr().out.rstrip("\n") == text.rstrip("\n")
+    assert_blocks_print_what_stands_below(PAGE, capsys)
     drawn, figure = (
         matplotlib.image.imread(folder / "helical-convergence.png")[..., :3]
         for folder in (tmp_path, ROOT / "docs/images")

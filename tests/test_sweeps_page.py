@@ -2,7 +2,7 @@
 
 import pytest
 
-from .pages import ROOT, blocks, links
+from .pages import ROOT, assert_blocks_print_what_stands_below, links
 
 PAGE = ROOT / "docs/sweeps.md"
 
@@ -10,12 +10,7 @@ PAGE = ROOT / "docs/sweeps.md"
 def test_each_block_prints_what_stands_below_it(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bend.csv").write_text("x,y,z\n0,0,0\n40,0,0\n70,20,5\n80,60,10\n", encoding="utf-8")
-    shown = blocks(PAGE)
-    codes, printed = ([text for kind, text in shown if kind == wanted] for wanted in ("python", "text"))
-    names = {}
-    for code, text in zip(codes, printed, strict=True):
-        exec(compile(code, PAGE.name, "exec"), names)  # noqa: S102  our own example
-        assert capsys.readouterr().out.rstrip("\n") == text.rstrip("\n")
+    assert_blocks_print_what_stands_below(PAGE, capsys)
     assert (tmp_path / "spring.stl").exists()
 
 

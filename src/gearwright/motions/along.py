@@ -56,10 +56,8 @@ class Along(Motion):
         return rate + applied(self.frame.across(v), change * speed)
 
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
-        path = self.frame.path
-        bend = np.sum(self.frame.across(v) * path.tangent_rate(v)[..., :, None], axis=-2)
-        speed = np.linalg.norm(path.derivative(v), axis=-1)
-        element = speed - np.sum(self._in_plane(point, v) * bend, axis=-1)
+        speed = np.linalg.norm(self.frame.path.derivative(v), axis=-1)
+        element = speed - np.sum(self._in_plane(point, v) * self._bend(v), axis=-1)
         return element if self.transform is None else np.linalg.det(self.transform.linear(self._fraction(v))) * element
 
     def end_surface(self, end: End) -> Surface:
@@ -95,11 +93,10 @@ class Along(Motion):
         return f"path parameter {v:.6g}"
 
     def remedy(self, point: Array, v: float) -> str:
-        path = self.frame.path
         if self.transform is not None and np.linalg.det(self.transform.linear(self._fraction(v))) <= 0.0:
             return "the transform's determinant is not positive there; it must stay greater than 0"
-        bend = np.sum(self.frame.across(v) * path.tangent_rate(v)[:, None], axis=0)
-        radius = float(np.linalg.norm(path.derivative(v)) / np.linalg.norm(bend))
+        bend = self._bend(v)
+        radius = float(np.linalg.norm(self.frame.path.derivative(v)) / np.linalg.norm(bend))
         reach = float(self._in_plane(point, v) @ bend / np.linalg.norm(bend))
         return (
             f"the path's radius of curvature is {radius:.6g} there, and the section reaches {reach:.6g} towards its"
@@ -122,6 +119,10 @@ class Along(Motion):
     @property
     def rotation_order(self) -> int:
         return 1
+
+    def _bend(self, v: ArrayLike) -> Array:
+        """χ = Eᵀ t′ (..., 2), towards the centre of curvature."""
+        return np.sum(self.frame.across(v) * self.frame.path.tangent_rate(v)[..., :, None], axis=-2)
 
     def _in_plane(self, point: Array, v: ArrayLike) -> Array:
         """q (..., 2)."""

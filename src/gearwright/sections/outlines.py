@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike
 from ..curves.curve import Curve, chain_quadrature
-from ..curves.line import Line
+from ..curves.line import lines_through
 from ..curves.spline import spline_spans
 from ..errors import GeometryError, Problem
 from ..moments.boundary_integral import plane_moments
@@ -28,11 +28,7 @@ def polygon_loop(points: ArrayLike, name: str, sense: int) -> Loop:
     not finite or coincide with the next.
     """
     corners = _outline_points(points, name)
-    ends = np.roll(corners, -1, axis=0)
-    lines = [
-        Line(first=a, last=b) for a, b in zip(map(tuple, corners.tolist()), map(tuple, ends.tolist()), strict=True)
-    ]
-    return curve_loop(lines, name, sense)
+    return curve_loop(lines_through(np.concatenate([corners, corners[:1]])), name, sense)
 
 
 def spline_loop(points: ArrayLike, name: str, sense: int) -> Loop:
