@@ -31,9 +31,33 @@ _SPIRAL = {"trace": "logarithmic", "spiral_angle": 35.0}
 
 EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
     "spur gear": {
-        "root below the base circle": {"teeth": 16, "module": 8.0, "face_width": 50.0},
-        "root above the base circle, bored": {"teeth": 45, "module": 2.0, "face_width": 12.0, "bore": 20.0},
-        "three teeth": {"teeth": 3, "module": 5.0, "face_width": 4.0, "addendum": 2.0, "dedendum": 3.0},
+        "radial root below the base circle": {"teeth": 16, "module": 8.0, "face_width": 50.0, "root": "radial"},
+        "radial root above the base circle, bored": {
+            "teeth": 45,
+            "module": 2.0,
+            "face_width": 12.0,
+            "bore": 20.0,
+            "root": "radial",
+        },
+        "fillets": {"teeth": 24, "module": 3.0, "face_width": 20.0},
+        "undercut": {"teeth": 8, "module": 4.0, "face_width": 15.0, "bore": 8.0},
+        "shifted, full-radius, relieved, chamfered": {
+            "teeth": 19,
+            "module": 2.5,
+            "face_width": 11.0,
+            "profile_shift": 0.4,
+            "basic_rack": "agma-full-radius",
+            "tip_relief": 0.03,
+            "tip_chamfer": 0.2,
+        },
+        "three teeth": {
+            "teeth": 3,
+            "module": 5.0,
+            "face_width": 4.0,
+            "addendum": 2.0,
+            "dedendum": 3.0,
+            "root": "radial",
+        },
         "in inches, with backlash, long": {
             "teeth": 12,
             "diametral_pitch": 4.0,

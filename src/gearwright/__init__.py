@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from .curves.helix import helix
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
-    from .elements.spur_gear import SpurGear
+    from .elements.cylindrical.helical_gear import HelicalGear
+    from .elements.cylindrical.internal_gear import InternalGear
+    from .elements.cylindrical.rack import Rack
+    from .elements.cylindrical.spur_gear import SpurGear
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
     from .moments.polyhedron import mass_properties
@@ -32,11 +35,14 @@ __all__ = [
     "FileError",
     "GearwrightError",
     "GeometryError",
+    "HelicalGear",
+    "InternalGear",
     "MachineError",
     "MassProperties",
     "ParameterError",
     "Polyhedron",
     "Problem",
+    "Rack",
     "Section",
     "SpurGear",
     "Sweep",
@@ -57,7 +63,10 @@ _MODULES = {
     ".curves.helix": ("helix",),
     ".elements.bevel_gear": ("BevelGear",),
     ".elements.bevel_pair": ("BevelPair",),
-    ".elements.spur_gear": ("SpurGear",),
+    ".elements.cylindrical.helical_gear": ("HelicalGear",),
+    ".elements.cylindrical.internal_gear": ("InternalGear",),
+    ".elements.cylindrical.rack": ("Rack",),
+    ".elements.cylindrical.spur_gear": ("SpurGear",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.polyhedron": ("mass_properties",),

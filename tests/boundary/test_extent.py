@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gearwright.boundary.extent import bounding_box, rough_diagonal, surface_area
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 from ..examples import PARTS, built, every_part, polyhedron, size
 from .shapes import BOXES

@@ -4,7 +4,7 @@ import pytest
 
 import gearwright as gw
 
-SPUR = "spur --teeth 8 --module 4 --face-width 20".split()
+SPUR = "spur --teeth 8 --module 4 --face-width 20 --root radial".split()
 
 
 def test_the_table_shows_each_study_and_its_order(run):
@@ -26,7 +26,7 @@ def test_the_table_shows_each_study_and_its_order(run):
 def test_json_holds_what_python_finds(run):
     found = json.loads(run(*SPUR, "--convergence", "--json").out)["convergence"]
     assert list(found) == ["tolerance", "segments", "layers"]
-    gear = gw.SpurGear(teeth=8, module=4.0, face_width=20.0)
+    gear = gw.SpurGear(teeth=8, module=4.0, face_width=20.0, root="radial")
     assert found["tolerance"] == gw.approximation_error(gear).to_dict()
     assert found["layers"]["orders"] == {"volume": None, "centroid": None, "inertia": None}
 

@@ -157,4 +157,4 @@ def test_limits_are_those_declared(validator):
 def test_an_unknown_element_is_refused(run):
     outcome = run("schema", "bevle")
     assert (outcome.code, outcome.out) == (2, "")
-    assert "choose one of bevel, spur, sweep; did you mean bevel?" in outcome.err
+    assert "choose one of bevel, helical, internal, rack, spur, sweep; did you mean bevel?" in outcome.err

@@ -20,7 +20,9 @@ from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import Path, path_through
 from gearwright.curves.rational_bezier import RationalBezier
+from gearwright.curves.relieved_involute import RelievedInvolute
 from gearwright.curves.spherical_involute import SphericalInvolute
+from gearwright.curves.trochoid import Trochoid
 
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
 
@@ -45,6 +47,14 @@ EXAMPLES = {
         EllipticArc(centre=(0.0, 0.0), a=(0.2, 0.0), b=(0.0, -0.5), interval=(1.0, -2.5)),
     ],
     Involute: [Involute(base_radius=2.3, interval=(0.0, 1.4)), Involute(base_radius=0.7, interval=(0.8, -0.5))],
+    RelievedInvolute: [
+        RelievedInvolute(base_radius=2.3, amount=0.02, begin=0.2, full=0.7, power=1, interval=(0.2, 0.7)),
+        RelievedInvolute(base_radius=2.3, amount=-0.02, begin=0.6, full=0.3, power=2, interval=(0.6, 0.3)),
+    ],
+    Trochoid: [
+        Trochoid(pitch_radius=3.0, depth=0.3, offset=0.05, half_axes=(0.12, 0.1), interval=(1.57, 0.4)),
+        Trochoid(pitch_radius=2.0, depth=-0.02, offset=0.0, half_axes=(0.1, 0.1), interval=(0.6, 1.5)),
+    ],
     Meridian: [Meridian(azimuth=2.2, interval=(0.4, 1.9))],
     Parallel: [Parallel(polar_angle=2.1, interval=(-0.4, 1.9))],
     Path: [

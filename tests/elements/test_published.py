@@ -8,7 +8,7 @@ import pytest
 
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 from ..examples import README_PAIR
 
@@ -68,7 +68,7 @@ def test_engagement_of_the_16_20_pair():
 
 
 def test_mass_properties_of_the_spur_gear():
-    found = SpurGear(teeth=16, module=8.0, face_width=50.0, addendum=8.0, dedendum=10.0).properties()
+    found = SpurGear(teeth=16, module=8.0, face_width=50.0, addendum=8.0, dedendum=10.0, root="radial").properties()
     assert found.volume == pytest.approx(622714.450588, abs=0.6e-6)
     assert found.inertia[2, 2] == pytest.approx(1.30757375e9, rel=0.5e-8)
     assert found.centroid[2] == pytest.approx(25.0, rel=1e-14)
@@ -76,7 +76,8 @@ def test_mass_properties_of_the_spur_gear():
 
 def test_mass_properties_of_the_spur_gear_with_its_root_on_the_base_circle():
     dedendum = 64.0 * (1.0 - np.cos(np.radians(20.0)))
-    found = SpurGear(teeth=16, module=8.0, face_width=50.0, addendum=8.0, dedendum=float(dedendum)).properties()
+    gear = SpurGear(teeth=16, module=8.0, face_width=50.0, addendum=8.0, dedendum=float(dedendum), root="radial")
+    found = gear.properties()
     assert found.volume == pytest.approx(6.69403e5, abs=0.6)
     assert found.inertia[2, 2] == pytest.approx(1.46008e9, abs=0.6e4)
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
@@ -192,7 +192,7 @@ def test_size_does_not_matter(element, scale):
 def test_root_at_the_base_circle(excess):
     """Where the radial piece of the flank is next to nothing the polyhedron stays a sensible one."""
     dedendum = 64.0 - 64.0 * float(np.cos(np.radians(20.0))) + excess
-    gear = SpurGear(teeth=16, module=8.0, face_width=50.0, dedendum=dedendum)
+    gear = SpurGear(teeth=16, module=8.0, face_width=50.0, dedendum=dedendum, root="radial")
     assert gear.properties().volume == pytest.approx(669403.09, abs=10.0)
     body = gear.polyhedron()
     assert len(body.faces) < 30_000

@@ -7,7 +7,7 @@ import pytest
 
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 from gearwright.errors import ParameterError
 
 SPUR = {"teeth": 16, "module": 8.0, "face_width": 50.0}
@@ -49,7 +49,8 @@ SINGLE_VALUES = [
     (ALL, {"pressure_angle": 60.0}, "pressure_angle = 60°", ("less than 60",)),
     (ALL, {"pressure_angle": 0.0}, "pressure_angle = 0°", ("greater than 0",)),
     (ALL, {"bore": 0.0}, "bore = 0 mm", ("greater than 0",)),
-    (ALL, {"root": "fillet"}, "root = 'fillet'", ("radial",)),
+    ((BevelGear, BevelPair), {"root": "fillet"}, "root = 'fillet'", ("radial",)),
+    (ALL, {"root": "filet"}, "root = 'filet'", ("radial",)),
     (ALL, {"root": None}, "root", ("radial",)),
     (ALL, {"length_unit": "cm"}, "length_unit = 'cm'", ("mm", "in")),
     (ALL, {"length_unit": ("mm", "in")}, "length_unit", ("one value",)),
@@ -92,6 +93,22 @@ TOGETHER = [
         "circular_thickness = 24 mm",
         ("neighbouring teeth meet", "half the pitch"),
     ),
+    (SpurGear, {"dedendum": 35.0}, "dedendum = 35 mm", ("rack", "point before its tip", "less than 17.26 mm")),
+    (SpurGear, {"rack_tip_radius": 6.0}, "rack_tip_radius = 6 mm", ("at most 3.775 mm", "round all over")),
+    (SpurGear, {"rack_tip_coefficient": 0.6}, "rack_tip_coefficient = 0.6", ("at most", "0.4719 modules")),
+    (SpurGear, {"root": "radial", "rack_tip_radius": 1.0}, "rack_tip_radius = 1 mm", ("fillets", "Leave it out")),
+    (SpurGear, {"profile_shift": 1.3}, "profile_shift = 1.3", ("no dedendum", "less than", "1.25")),
+    (SpurGear, {"tip_diameter": 120.0}, "tip_diameter = 120 mm", ("no addendum",)),
+    (SpurGear, {"tip_diameter": 160.0}, "tip_diameter = 160 mm", ("comes to a point",)),
+    (SpurGear, {"tip_diameter": 150.0, "addendum": 8.0}, "tip_diameter = 150 mm", ("says the same as addendum",)),
+    (SpurGear, {"dedendum": 9.0, "dedendum_coefficient": 1.2}, "dedendum = 9 mm", ("dedendum_coefficient",)),
+    (SpurGear, {"teeth": 4, "dedendum": 14.0}, "teeth = 4", ("undercut", "nothing is left", "larger profile shift")),
+    (SpurGear, {"span_teeth": 7}, "span_teeth = 7", ("do not touch the flanks", "1 to 3 is possible")),
+    (SpurGear, {"pin_diameter": 4.0}, "pin_diameter = 4 mm", ("do not touch", "13.82 mm is usual")),
+    (SpurGear, {"tip_chamfer": 7.0}, "tip_chamfer = 7 mm", ("nothing of the tip",)),
+    (SpurGear, {"tip_relief": 0.1, "tip_relief_height": 30.0}, "tip_relief_height = 30 mm", ("below the flank",)),
+    (SpurGear, {"tip_relief": 9.0}, "tip_relief = 9 mm", ("nothing of the tip", "less than")),
+    (SpurGear, {"tip_relief_height": 3.0}, "tip_relief_height = 3 mm", ("goes with tip_relief",)),
     (BevelGear, {"circular_thickness": 12.0}, "circular_thickness = 12 mm", ("neighbouring teeth meet",)),
     (SpurGear, {"backlash": 26.0}, "backlash = 26 mm", ("no tooth", "less than 25.13 mm")),
     (BevelGear, {"backlash": 100.0}, "backlash = 100 mm", ("no tooth", "less than 12.56 mm")),
@@ -173,10 +190,15 @@ def test_interference_is_found_for_both_members():
 
 LIMITS = [
     (SpurGear, "addendum", 30.0, {}),
-    (SpurGear, "dedendum", 70.0, {}),
+    (SpurGear, "dedendum", 70.0, {"root": "radial"}),
+    (SpurGear, "rack_tip_radius", 9.0, {}),
+    (SpurGear, "tip_relief_height", 20.0, {"tip_relief": 0.05}),
+    (SpurGear, "tip_relief", 9.0, {}),
+    (SpurGear, "profile_shift", 2.0, {"addendum": 3.0}),
     (SpurGear, "bore", 200.0, {}),
-    (SpurGear, "circular_thickness", 24.0, {}),
-    (SpurGear, "circular_thickness", 25.0, {"backlash": 1.0}),
+    (SpurGear, "circular_thickness", 24.0, {"addendum": 2.0}),
+    (SpurGear, "circular_thickness", 24.0, {"root": "radial"}),
+    (SpurGear, "circular_thickness", 25.0, {"root": "radial", "backlash": 1.0}),
     (SpurGear, "backlash", 30.0, {"addendum": 0.001, "dedendum": 2.0}),
     (BevelGear, "addendum", 30.0, {}),
     (BevelGear, "addendum", 30.0, {"pitch_angle": 90.0}),

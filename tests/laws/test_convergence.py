@@ -6,7 +6,7 @@ import pytest
 from gearwright import catalog
 from gearwright.boundary.sampling import fixed_sampling
 from gearwright.boundary.tessellation import tessellate
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 from ..examples import BY_NAME, README_PAIR, built, every_part, polyhedron, size
 from .topology import volume

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.spur_gear import SpurGear
+from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 ANGLES = np.array([8.0, 4.0, 2.0, 1.0])
 SHAPE = {"teeth": 18, "face_width": 10.0, "addendum": 2.8, "dedendum": 3.4, "pressure_angle": 22.0, "backlash": 0.1}

@@ -75,3 +75,80 @@ def not_of_this_way(way: str, owners: Sequence[str]) -> str:
 
 
 NO_DRAWING = "applies to a section from a drawing; this one is given by a table"
+
+ONE_MODULE = "give one of module (mm, normal section), transverse_module (mm) and diametral_pitch (per inch, normal)"
+
+NO_FILLET = 'rounds fillets; root = "radial" has none. Leave it out, or choose root = "fillet"'
+
+STEEP_FILLET = (
+    "is so large that the rack's tip would not leave a fillet that rises from the root; take a smaller one, a smaller"
+    ' rack tip radius, or root = "radial"'
+)
+
+
+def said_twice(others: Sequence[str]) -> str:
+    """For one of several ways to say the same."""
+    return f"says the same as {' and '.join(others)}; give only one of them"
+
+
+def pointed_rack(limit: float, unit: str) -> str:
+    """The generating rack comes to a point above its tip."""
+    return (
+        f"the rack that would cut these teeth comes to a point before its tip; less than {rounded_down(limit)} {unit} "
+        "(a smaller pressure angle or a thinner tooth allows more)"
+    )
+
+
+def wide_rack_tip(limit: float, module: float, unit: str) -> str:
+    """A rack tip radius that leaves no land."""
+    most = f"{rounded_down(limit)} {unit}, {rounded_down(limit / module)} modules"
+    return f"does not fit on the rack's tip; at most {most}, which make it round all over"
+
+
+def undercut_through(what: str, teeth: int) -> str:
+    """Undercut that leaves no tooth."""
+    return (
+        f"{teeth} teeth are undercut until nothing is left of the flank at {what}; more teeth, a larger profile shift, "
+        "a smaller dedendum or a larger pressure angle leave some"
+    )
+
+
+def tip_below_base(limit: float, unit: str) -> str:
+    """An internal tooth that reaches below the base circle."""
+    return (
+        f"the tips reach below the base circle, where there is no involute; at most {rounded_down(limit)} {unit} "
+        "(more teeth, a larger pressure angle or a negative profile shift allow more)"
+    )
+
+
+def pointed_space(limit: float, unit: str) -> str:
+    """The flanks of an internal gear's space meet above its root."""
+    return f"the flanks of a space meet before the root circle; less than {rounded_down(limit)} {unit}"
+
+
+def wide_fillet(limit: float, unit: str) -> str:
+    """A fillet that does not fit into a space."""
+    if limit <= 0.0:
+        return "no fillet fits; the flanks of a space meet at the root circle"
+    return f"does not fit into a space; at most {rounded_down(limit)} {unit}"
+
+
+def pins_that_do_not_touch(usual: float, unit: str) -> str:
+    """Pins that cannot measure."""
+    return (
+        f"such pins do not touch the involutes, or do not stand out beyond the tips; {usual:.4g} {unit} is usual "
+        "(1.728 modules outside, 1.68 inside)"
+    )
+
+
+def impossible_span(possible: Sequence[int]) -> str:
+    """A number of teeth whose span touches no flank."""
+    if not possible:
+        return "no span touches these flanks between form and tip circle"
+    said = str(possible[0]) if len(possible) == 1 else f"{possible[0]} to {possible[-1]}"
+    return f"planes over so many teeth do not touch the flanks between form and tip circle; {said} is possible"
+
+
+def thin_ring(limit: float, unit: str) -> str:
+    """An internal gear's ring that ends at its roots."""
+    return f"leaves no ring outside the roots; greater than the root diameter, {limit:.4g} {unit}"

@@ -1,0 +1,1 @@
+"""Gears on parallel axes: external, internal and racks, and pairs of them."""

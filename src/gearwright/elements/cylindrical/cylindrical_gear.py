@@ -1,0 +1,206 @@
+"""What external and internal cylindrical gears have in common."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...parameters import Problems, Size, declared
+from ...sections.plane import Section
+from .. import declarations as d
+from .. import refusals, remarks
+from ..element import Element, require_one_pitch
+from ..standards.iso_53 import BASIC_RACKS, BasicRack
+from ..standards.over_pins import USUAL as USUAL_PINS
+from .external_tooth import ExternalTooth
+from .flank import Relief
+from .internal_tooth import InternalTooth
+from .sizes import inspection_sizes, toothing_sizes
+from .toothing import Toothing
+
+_RELIEF_HEIGHT = 0.6  # modules: relief that leaves some two thirds of a usual flank unrelieved
+
+_NUMBERS = (
+    "teeth", "module", "diametral_pitch", "face_width", "pressure_angle", "profile_shift", "basic_rack", "addendum",
+    "addendum_coefficient", "dedendum", "dedendum_coefficient", "tip_diameter", "circular_thickness", "backlash",
+    "tip_relief", "tip_relief_height", "crowning", "tip_chamfer", "root", "length_unit",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindricalGear(Element):
+    """A gear with involute teeth about one axis.
+
+    Frame: axis z, teeth from z = 0 to the face width, first tooth centred on +x at z = 0. Module and pressure angle
+    are those of the normal section. Raises ParameterError with every problem found. Source: ISO 21771.
+    """
+
+    teeth: int = declared(d.TEETH)
+    module: float | None = declared(d.MODULE, default=None)
+    diametral_pitch: float | None = declared(d.DIAMETRAL_PITCH, default=None)
+    face_width: float = declared(d.FACE_WIDTH)
+    pressure_angle: float = declared(d.NORMAL_PRESSURE_ANGLE, default=20.0)
+    profile_shift: float = declared(d.PROFILE_SHIFT, default=0.0)
+    basic_rack: str = declared(d.BASIC_RACK, default="iso-53-a")
+    addendum: float | None = declared(d.ADDENDUM, default=None)
+    addendum_coefficient: float | None = declared(d.ADDENDUM_COEFFICIENT, default=None)
+    dedendum: float | None = declared(d.DEDENDUM, default=None)
+    dedendum_coefficient: float | None = declared(d.DEDENDUM_COEFFICIENT, default=None)
+    tip_diameter: float | None = declared(d.TIP_DIAMETER, default=None)
+    circular_thickness: float | None = declared(d.CIRCULAR_THICKNESS, default=None)
+    backlash: float = declared(d.BACKLASH, default=0.0)
+    tip_relief: float = declared(d.TIP_RELIEF, default=0.0)
+    tip_relief_height: float | None = declared(d.TIP_RELIEF_HEIGHT, default=None)
+    tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
+    tip_chamfer: float = declared(d.TIP_CHAMFER, default=0.0)
+    crowning: float = declared(d.CROWNING, default=0.0)
+    root: str = declared(d.GEAR_ROOT, default="fillet")
+    pin_diameter: float | None = declared(d.PIN_DIAMETER, default=None)
+    length_unit: str = declared(d.LENGTH_UNIT, default="mm")
+
+    def __post_init__(self) -> None:
+        problems = Problems(self)
+        self._check_given(problems)
+        if problems.computable(*_NUMBERS, *self._more_numbers) and problems.sound("module"):
+            self._check_teeth(problems)
+            if problems.sound():
+                self._check_measured(problems)
+        problems.raise_any()
+
+    @property
+    @abstractmethod
+    def helix(self) -> float:
+        """Helix angle β, radians, not negative."""
+
+    @property
+    @abstractmethod
+    def hand_sense(self) -> int:
+        """+1 for a right-hand helix, −1 for a left-hand one."""
+
+    @property
+    @abstractmethod
+    def normal_module(self) -> float:
+        """m_n in the length unit."""
+
+    @property
+    @abstractmethod
+    def tooth(self) -> ExternalTooth | InternalTooth:
+        """The tooth's shape in the transverse plane."""
+
+    @property
+    @abstractmethod
+    def profile(self) -> Section:
+        """The transverse section at z = 0."""
+
+    @property
+    @abstractmethod
+    def _more_numbers(self) -> tuple[str, ...]:
+        """Parameters of the kind that the shape of its teeth follows from."""
+
+    @abstractmethod
+    def _check_teeth(self, problems: Problems) -> None:
+        """Adds problems of the teeth and of what they stand on."""
+
+    def _check_given(self, problems: Problems) -> None:
+        self._require_pitch(problems)
+        self._require_one_of(problems, "tip_diameter", "addendum", "addendum_coefficient")
+        self._require_one_of(problems, "dedendum", "dedendum_coefficient")
+        if problems.sound("tip_relief") and not self.tip_relief and self.tip_relief_height is not None:
+            problems.add("tip_relief_height", "goes with tip_relief; give that, too, or leave this out")
+
+    def _require_pitch(self, problems: Problems) -> None:
+        """Adds a problem unless the module is given in one way."""
+        require_one_pitch(problems, self.module, self.diametral_pitch)
+
+    def _require_one_of(self, problems: Problems, *names: str) -> None:
+        """Adds a problem where more than one of several ways to say the same is used."""
+        given = [name for name in names if getattr(self, name) is not None]
+        if len(given) > 1:
+            problems.add(given[0], refusals.said_twice(given[1:]))
+
+    def _check_measured(self, problems: Problems) -> None:
+        """Adds problems of inspection sizes that are asked for."""
+        if self.pin_diameter is not None and "over_pins" not in self.sizes():
+            usual = USUAL_PINS[self.is_internal] * self.normal_module
+            problems.add("pin_diameter", refusals.pins_that_do_not_touch(usual, self.length_unit))
+
+    def sizes(self) -> dict[str, Size]:
+        """Derived sizes by name, with the symbols of ISO 21771."""
+        return {**toothing_sizes(self.tooth, self.face_width), **self._inspection_sizes()}
+
+    def _inspection_sizes(self) -> dict[str, Size]:
+        pins = USUAL_PINS[self.is_internal] * self.normal_module if self.pin_diameter is None else self.pin_diameter
+        return inspection_sizes(self.tooth, pins)
+
+    @property
+    def rack(self) -> BasicRack:
+        """The basic rack's proportions."""
+        return BASIC_RACKS[self.basic_rack]
+
+    @cached_property
+    def toothing(self) -> Toothing:
+        """The teeth in numbers."""
+        module, x, r = self.normal_module, self.profile_shift, self.pitch_radius
+        coefficient = self.addendum_coefficient or self.rack.addendum
+        addendum = (coefficient + x) * module if self.addendum is None else self.addendum
+        if self.tip_diameter is not None:
+            addendum = (-1 if self.is_internal else 1) * (self.tip_diameter / 2.0 - r)
+        coefficient = self.dedendum_coefficient or self.rack.dedendum
+        return Toothing(
+            teeth=self.teeth,
+            module=module,
+            pressure_angle=float(np.radians(self.pressure_angle)),
+            helix_angle=self.helix,
+            profile_shift=x,
+            addendum=addendum,
+            dedendum=(coefficient - x) * module if self.dedendum is None else self.dedendum,
+            thickness=self.nominal_thickness - self.backlash / 2.0,
+            internal=self.is_internal,
+        )
+
+    @property
+    @abstractmethod
+    def is_internal(self) -> bool:
+        """Whether the teeth point to the axis."""
+
+    @property
+    def pitch_radius(self) -> float:
+        return float(self.teeth * self.normal_module / np.cos(self.helix) / 2.0)
+
+    @property
+    def nominal_thickness(self) -> float:
+        """Transverse circular thickness asked for, before backlash: s_t = m_n (π/2 + 2x tan α_n)/cos β."""
+        if self.circular_thickness is not None:
+            return self.circular_thickness
+        widened = np.pi / 2.0 + 2.0 * self.profile_shift * np.tan(np.radians(self.pressure_angle))
+        return float(self.normal_module * widened / np.cos(self.helix))
+
+    @property
+    def relief(self) -> Relief | None:
+        if not self.tip_relief:
+            return None
+        toothing = self.toothing
+        height = _RELIEF_HEIGHT * self.normal_module if self.tip_relief_height is None else self.tip_relief_height
+        begin = toothing.tip_radius - toothing.outward * (self.tip_chamfer + height)
+        return Relief(amount=self.tip_relief, begin=begin, power=1 if self.tip_relief_form == "linear" else 2)
+
+    @property
+    def twist(self) -> float:
+        """Angle by which the section at the far end is turned, radians: ±b tan β/r."""
+        return float(self.hand_sense * self.face_width * np.tan(self.helix) / self.pitch_radius)
+
+    @property
+    def remarks(self) -> list[str]:
+        addendum = self.toothing.addendum - self.profile_shift * self.normal_module
+        return remarks.unusual_depth("addendum", addendum, self.normal_module, self.length_unit, 1)
+
+    @property
+    def description(self) -> str:
+        helix = (
+            f", β = {np.degrees(self.helix):.4g}° {'right' if self.hand_sense > 0 else 'left'}" if self.helix else ""
+        )
+        shift = f", x = {self.profile_shift:g}" if self.profile_shift else ""
+        return f"z = {self.teeth}, m = {self.normal_module:.4g} {self.length_unit}{helix}{shift}"

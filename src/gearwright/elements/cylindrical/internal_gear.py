@@ -1,0 +1,117 @@
+"""Internal gears."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...motions.ends import between
+from ...motions.extrusion import Extrusion
+from ...motions.motion import Motion
+from ...motions.straight import Straight
+from ...parameters import Problems, Size, declared
+from ...sections.plane import Section
+from ...solids.solid import Solid
+from ...solids.swept import Swept
+from .. import declarations as d
+from .. import refusals
+from .cylindrical_gear import CylindricalGear
+from .helix import HELIX_NUMBERS, normal_module, require_one_module
+from .internal_tooth import InternalTooth
+from .sizes import in_unit
+from .tooth_checks import check_internal
+
+_RIM = 3.0  # modules from the roots to the outside
+_ROOM = 0.999  # of the largest fillet that fits, where the basic rack's does not
+
+
+@dataclass(frozen=True, kw_only=True)
+class InternalGear(CylindricalGear):
+    """A ring with teeth that point to the axis, straight or helical.
+
+    Frame: axis z, teeth from z = 0 to the face width, first tooth centred on +x at z = 0. Teeth count positive;
+    addendum is towards the axis; a positive profile shift makes teeth thicker, tips and roots move towards the axis.
+    The fillet is a circular arc (see `InternalTooth`). Raises ParameterError with every problem found.
+    Source: ISO 21771, with z < 0 written as a positive number.
+    """
+
+    transverse_module: float | None = declared(d.TRANSVERSE_MODULE, default=None)
+    helix_angle: float = declared(d.HELIX_ANGLE, default=0.0)
+    hand: str = declared(d.HELIX_HAND, default="right")
+    fillet_radius: float | None = declared(d.FILLET_RADIUS, default=None)
+    outer_diameter: float | None = declared(d.OUTER_DIAMETER, default=None)
+
+    def _require_pitch(self, problems: Problems) -> None:
+        require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
+
+    @property
+    def _more_numbers(self) -> tuple[str, ...]:
+        return (*HELIX_NUMBERS, "fillet_radius")
+
+    def _check_given(self, problems: Problems) -> None:
+        super()._check_given(problems)
+        if self.root == "radial" and self.fillet_radius is not None:
+            problems.add("fillet_radius", refusals.NO_FILLET)
+
+    def _check_teeth(self, problems: Problems) -> None:
+        for name, message in check_internal(self.tooth, self.nominal_thickness, self.length_unit):
+            problems.add("tip_diameter" if name == "addendum" and self.tip_diameter is not None else name, message)
+        limit = 2.0 * self.toothing.root_radius
+        if self.outer_diameter is not None and self.outer_diameter <= limit:
+            problems.add("outer_diameter", refusals.thin_ring(limit, self.length_unit))
+
+    @property
+    def is_internal(self) -> bool:
+        return True
+
+    @property
+    def helix(self) -> float:
+        return float(np.radians(self.helix_angle))
+
+    @property
+    def hand_sense(self) -> int:
+        return 1 if self.hand == "right" else -1
+
+    @cached_property
+    def normal_module(self) -> float:
+        return normal_module(self.length_unit, self.module, self.diametral_pitch, self.transverse_module, self.helix)
+
+    @property
+    def outer_radius(self) -> float:
+        if self.outer_diameter is not None:
+            return self.outer_diameter / 2.0
+        return self.toothing.root_radius + _RIM * self.normal_module
+
+    @cached_property
+    def tooth(self) -> InternalTooth:
+        bare = InternalTooth(toothing=self.toothing, relief=self.relief, chamfer=self.tip_chamfer)
+        if self.root == "radial":
+            return bare
+        usual = self.rack.tip_radius * self.normal_module
+        fitting = min(usual, _ROOM * max(0.0, bare.largest_fillet_radius))
+        radius = fitting if self.fillet_radius is None else self.fillet_radius
+        return InternalTooth(toothing=self.toothing, fillet_radius=radius, relief=self.relief, chamfer=self.tip_chamfer)
+
+    @property
+    def motion(self) -> Motion:
+        """How the transverse section moves from z = 0 to the face width."""
+        return Extrusion(length=self.face_width, twist=self.twist) if self.twist else Straight()
+
+    @property
+    def profile(self) -> Section:
+        """The transverse section at z = 0."""
+        return self.tooth.section(self.outer_radius)
+
+    @cached_property
+    def solid(self) -> Solid:
+        return Swept(section=self.profile, motion=self.motion, ends=between(0.0, self.face_width))
+
+    def sizes(self) -> dict[str, Size]:
+        """Derived sizes by name, with the symbols of ISO 21771."""
+        lengths = {
+            "outer_diameter": (2.0 * self.outer_radius, "d_rim", "outer diameter of the ring"),
+            "fillet_radius": (self.tooth.fillet_radius, "ρ_f", "radius of the fillets, transverse"),
+        }
+        return {**super().sizes(), **in_unit(lengths, "length")}

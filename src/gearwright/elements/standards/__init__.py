@@ -1,0 +1,1 @@
+"""Sizing systems and inspection sizes of standards."""
