@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
 
@@ -12,10 +11,10 @@ from ..arrays import Array
 from ..parameters import Problems, Size, declared, member_value, rounded_down
 from . import declarations as d
 from . import remarks
-from .assembly import PlacedPart, draw_parts, save_parts
 from .bevel_gear import BevelGear
 from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
 from .element import module_in, require_angle_of_trace, require_one_pitch
+from .pair import Pair
 from .pitch_cone import pitch_cone_angle, require_cone
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
@@ -23,7 +22,7 @@ _OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
 
 
 @dataclass(frozen=True, kw_only=True)
-class BevelPair:
+class BevelPair(Pair):
     """A bevel pinion and gear on intersecting axes, pinion first.
 
     Sizing is explicit, as Al-Daccak 1989 has it: working depth (default two modules), whole depth
@@ -178,33 +177,6 @@ class BevelPair:
         """A few words that tell this pair from others."""
         spiral = f"{self.trace} spiral {self.spiral_angle:g}°" if self.spiral_angle else "straight"
         return f"{self.teeth[0]}/{self.teeth[1]} teeth, {spiral}, Σ = {self.shaft_angle:g}°"
-
-    def parts(self, tolerance: float | None = None, turn: float = 0.0) -> list[PlacedPart]:
-        """Both members as polyhedra within a chord tolerance (length), where they mesh."""
-        members = {"pinion": self.pinion, "gear": self.gear}
-        return [
-            PlacedPart(
-                name=name,
-                label=f"{name}\n{member.description}",
-                polyhedron=member.polyhedron(tolerance),
-                placement=placement,
-            )
-            for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
-        ]
-
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
-        """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
-
-        Raises FileError, MachineError.
-        """
-        save_parts(self.parts(tolerance), Path(path), self.length_unit)
-
-    def picture(self, path: str | Path, tolerance: float | None = None, turn: float = 0.0) -> None:
-        """Draws both members in mesh into a PNG file, the pinion turned by so many degrees.
-
-        Raises FileError, MachineError.
-        """
-        draw_parts(self.parts(tolerance, turn), Path(path), self.description, self.length_unit)
 
     def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
         """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees.

@@ -186,3 +186,20 @@ RACK_HEIGHT = Parameter(
     symbol="H",
     above=0,
 )
+PAIR_KIND = Parameter(
+    meaning="what the gear, the second member, is", kind="choice",
+    choices=("spur", "helical", "herringbone", "internal", "rack"),
+)
+CENTRE_DISTANCE = Parameter(
+    meaning="distance of the axes, or of the pinion's axis from the rack's pitch plane; the profile shifts follow"
+    " from it if none are given",
+    unit="length",
+    symbol="a_w",
+    above=0,
+)
+TIP_SHORTENING = Parameter(
+    meaning="full shortens tips as the profile shifts need for the clearance, of an internal gear as the pinion's"
+    " involute needs; none leaves them",
+    kind="choice",
+    choices=("full", "none"),
+)

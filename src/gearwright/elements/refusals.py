@@ -152,3 +152,47 @@ def impossible_span(possible: Sequence[int]) -> str:
 def thin_ring(limit: float, unit: str) -> str:
     """An internal gear's ring that ends at its roots."""
     return f"leaves no ring outside the roots; greater than the root diameter, {limit:.4g} {unit}"
+
+
+NO_ROOM_INSIDE = "an internal gear must have more teeth than its pinion, which is named first"
+
+NO_DISTANCE = "there is no centre distance at which teeth of such a sum of profile shifts run; a larger sum has one"
+
+
+def near_axes(limit: float, unit: str) -> str:
+    """Axes without a line of action between the base circles."""
+    return f"the axes are too near for involutes to meet; more than {limit:.6g} {unit}"
+
+
+def far_shift(shift: float, reference: float, unit: str) -> str:
+    """A centre distance far from what teeth numbers and module make."""
+    return (
+        f"would take a profile shift of {shift:.3g} modules each; without any the distance is {reference:.6g} {unit} "
+        "(other teeth numbers or another module suit it better)"
+    )
+
+
+def jammed(excess: float, free: str, unit: str) -> str:
+    """Teeth thicker than the pitch has room for."""
+    way = f"a distance of {free} {unit}, or thinner teeth, give them room" if free else "make the teeth thinner"
+    return f"the two teeth are together {excess:.4g} {unit} thicker than the pitch on the working circles; {way}"
+
+
+def out_of_reach(distance: float, unit: str) -> str:
+    """Involutes that do not meet at all."""
+    return f"at {distance:.6g} {unit} the involutes do not meet; the members must come nearer, or have longer teeth"
+
+
+def no_clearance(tips: str, roots: str, depth: float, unit: str) -> str:
+    """Tips that reach the mate's roots."""
+    return (
+        f"the {tips}'s tips reach the {roots}'s roots, {depth:.4g} {unit} beyond; a shorter addendum, a larger "
+        "dedendum of the mate or full tip shortening leaves clearance"
+    )
+
+
+def cutting_tips(tips: str, teeth: str, depth: str, unit: str, *, internal: bool) -> str:
+    """Interference: tips that cut into the mate's teeth away from the path of contact."""
+    ways = "more teeth, a shorter addendum, a profile shift or a larger pressure angle"
+    inside = ", and in an internal pair a larger difference of the teeth numbers," if internal else ""
+    return f"interference: the {tips}'s tips would cut {depth} {unit} into the {teeth}'s teeth; {ways}{inside} avoid it"

@@ -24,9 +24,9 @@ def unusual_depth(name: str, depth: float, module: float, unit: str, addenda: in
     return [f"{given}; about {addenda} is usual; are all lengths in {unit}?"]
 
 
-def low_contact_ratio(ratio: float) -> list[str]:
+def low_contact_ratio(ratio: float, overlap: float = 0.0) -> list[str]:
     """Teeth that leave each other before the next ones meet."""
-    if ratio >= 1.0:
+    if ratio >= 1.0 or ratio + overlap >= 1.2:
         return []
     return [f"the transverse contact ratio is {ratio:.3g}: below 1 only the overlap of spiral teeth keeps contact"]
 

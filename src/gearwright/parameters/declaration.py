@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal
 
@@ -12,13 +13,20 @@ Members = Literal["one", "both", "each"]
 _KEY = "parameter"
 
 
-def declared(parameter: Parameter, *, default: Any = MISSING, members: Members = "one") -> Any:
+def declared(
+    parameter: Parameter,
+    *,
+    default: Any = MISSING,
+    members: Members = "one",
+    only: Mapping[str, Sequence[str]] | None = None,
+) -> Any:
     """A dataclass field for a parameter.
 
     members   "one": a single value; "both": one value for both members of a pair or two;
               "each": always two values, pinion first
+    only      the choices of other parameters with which alone this one applies, by their names; it has a default
     """
-    return field(default=default, metadata={_KEY: parameter, "members": members})
+    return field(default=default, metadata={_KEY: parameter, "members": members, "only": only or {}})
 
 
 @dataclass(frozen=True)
@@ -29,6 +37,14 @@ class Declaration:
     parameter: Parameter
     default: Any
     members: Members = "one"
+    only: Mapping[str, Sequence[str]] = field(default_factory=dict)
+
+    def inapplicable(self, choices: Mapping[str, Any]) -> str | None:
+        """Why the parameter does not apply beside the choices of others, by name; None where it does."""
+        for name, words in self.only.items():
+            if name in choices and choices[name] not in words:
+                return f"does not apply with {name} = {choices[name]!r}, but with {' or '.join(words)}; leave it out"
+        return None
 
     @property
     def required(self) -> bool:
@@ -82,7 +98,7 @@ def entry(name: str, parameter: Parameter, *, default: Any = MISSING) -> Declara
 def declarations(element: type) -> tuple[Declaration, ...]:
     """The declared parameters of an element class, in order."""
     return tuple(
-        Declaration(f.name, f.metadata[_KEY], f.default, f.metadata["members"])
+        Declaration(f.name, f.metadata[_KEY], f.default, f.metadata["members"], f.metadata["only"])
         for f in fields(element)
         if _KEY in f.metadata
     )

@@ -31,6 +31,15 @@ class Problems:
             object.__setattr__(element, declaration.name, value)
             for problem in declaration.problems(value):
                 self.add(declaration.name, problem)
+        self._add_inapplicable()
+
+    def _add_inapplicable(self) -> None:
+        """Adds parameters that were given but do not apply beside what others were given as."""
+        choices = {name: getattr(self._element, name) for name in self._declared}
+        for name, declaration in self._declared.items():
+            reason = declaration.inapplicable(choices) if choices[name] != declaration.default else None
+            if reason:
+                self.add(name, reason)
 
     def add(self, name: str, message: str) -> None:
         """Adds a problem of the named parameter, shown with its value and unit."""

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ...arrays import Array, ArrayLike
 from ...curves.curve import Curve, mapped
 from ...curves.elliptic_arc import EllipticArc
 from ...curves.line import Line, lines_through
@@ -68,6 +69,17 @@ class RackTooth:
     def half_thickness(self, height: float) -> float:
         """Half the thickness of a tooth at a height above the pitch line, on its straight sides."""
         return float(self.thickness / 2.0 - height * np.tan(self.transverse_pressure_angle))
+
+    def half_at(self, height: ArrayLike) -> Array:
+        """Half the thickness (...) of a tooth at heights (...) from root to tip, fillets included."""
+        h = np.asarray(height, float)
+        straight = self.thickness / 2.0 - h * np.tan(self.transverse_pressure_angle)
+        if not self.fillet_radius:
+            return straight
+        along, across = self.space.half_axes
+        down = np.clip((self.fillet_radius - self.dedendum - h) / across, 0.0, 1.0)
+        rounded = self.circular_pitch / 2.0 - self.space.land - along * np.sqrt(1.0 - down**2)
+        return np.where(h < -self.space.side_end[1], rounded, straight)
 
     def section(self, teeth: int, height: float) -> Section:
         """So many teeth and a back `height` below the pitch line, its ends in the middle of spaces."""

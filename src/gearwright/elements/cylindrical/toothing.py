@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
@@ -35,6 +36,28 @@ class Toothing:
     dedendum: float
     thickness: float
     internal: bool = False
+
+    @classmethod
+    def basic(
+        cls, teeth: int, module: float, pressure_angle: float, helix_angle: float, *, internal: bool = False
+    ) -> Self:
+        """Teeth without profile shift, one module high and deep, half a pitch thick."""
+        half = float(np.pi * module / np.cos(helix_angle) / 2.0)
+        return cls(
+            teeth=teeth,
+            module=module,
+            pressure_angle=pressure_angle,
+            helix_angle=helix_angle,
+            profile_shift=0.0,
+            addendum=module,
+            dedendum=module,
+            thickness=half,
+            internal=internal,
+        )
+
+    def shifted(self, profile_shift: float) -> Self:
+        """The same teeth under another profile shift, for what depends on nothing else."""
+        return replace(self, profile_shift=profile_shift)
 
     @property
     def outward(self) -> int:

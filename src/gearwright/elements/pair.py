@@ -1,0 +1,72 @@
+"""The concept of a pair: two parts in mesh."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+
+from ..arrays import Array
+from ..parameters import Size
+from .assembly import PlacedPart, draw_parts, save_parts
+from .element import Element
+
+
+class Pair(ABC):
+    """Two parts that run together: the pinion, and the gear that it drives."""
+
+    length_unit: str
+
+    @property
+    @abstractmethod
+    def pinion(self) -> Element:
+        """The first member, in its own frame."""
+
+    @property
+    @abstractmethod
+    def gear(self) -> Element:
+        """The second member, in its own frame."""
+
+    @property
+    @abstractmethod
+    def description(self) -> str:
+        """A few words that tell this pair from others."""
+
+    @abstractmethod
+    def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
+        """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees."""
+
+    @abstractmethod
+    def sizes(self) -> dict[str, Size]:
+        """Sizes of the pair; each member has its own."""
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is unusual about the pair, though it can be built."""
+        return []
+
+    def parts(self, tolerance: float | None = None, turn: float = 0.0) -> list[PlacedPart]:
+        """Both members as polyhedra within a chord tolerance (length), where they mesh."""
+        members = {"pinion": self.pinion, "gear": self.gear}
+        return [
+            PlacedPart(
+                name=name,
+                label=f"{name}\n{member.description}",
+                polyhedron=member.polyhedron(tolerance),
+                placement=placement,
+            )
+            for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
+        ]
+
+    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+        """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
+
+        Raises FileError, MachineError.
+        """
+        save_parts(self.parts(tolerance), Path(path), self.length_unit)
+
+    def picture(self, path: str | Path, tolerance: float | None = None, turn: float = 0.0) -> None:
+        """Draws both members in mesh into a PNG file, the pinion turned by so many degrees.
+
+        Raises FileError, MachineError.
+        """
+        draw_parts(self.parts(tolerance, turn), Path(path), self.description, self.length_unit)
