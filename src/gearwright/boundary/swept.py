@@ -64,6 +64,11 @@ class _SweptLoop:
         return (*(span.start for span in self._spans), self._spans[-1].finish)
 
     @cached_property
+    def _motions(self) -> tuple[Motion, ...]:
+        """The motion in each smooth span, smooth up to both ends of it."""
+        return tuple(self.motion.smooth_piece(span) for span in self._spans)
+
+    @cached_property
     def _pattern(self) -> Pattern:
         return Pattern(order=self.loop.copies)
 
@@ -114,7 +119,7 @@ class _SweptLoop:
             [
                 Edge(
                     name=f"rail {self.name}.{j}.{level}",
-                    curve=Rail(motion=self.motion, section_point=tuple(start), ends=span),
+                    curve=Rail(motion=self._motions[level], section_point=tuple(start), ends=span),
                     start=self._vertices[level][j],
                     end=self._vertices[level + 1][j],
                     pattern=self._vertices[level][j].pattern,
@@ -138,11 +143,11 @@ class _SweptLoop:
         return levels
 
     def _profile(self, j: int, curve: Curve, level: int, station: End) -> Edge:
-        row = self._vertices[level]
+        row, motion = self._vertices[level], self._motions[min(level, len(self._motions) - 1)]
         last = j + 1 == len(row)
         return Edge(
             name=f"profile {self.name}.{j}.{level}",
-            curve=Profile(motion=self.motion, curve=curve, station=station, interval=curve.interval),
+            curve=Profile(motion=motion, curve=curve, station=station, interval=curve.interval),
             start=row[j],
             end=row[0 if last else j + 1],
             end_turn=self._onward if last else 0,
@@ -164,7 +169,7 @@ class _SweptLoop:
         return Patch(
             name=f"{self.name}.{j + 1}",
             curve=curve,
-            motion=self.motion,
+            motion=self._motions[level],
             ends=span,
             sides=(
                 EdgeUse(edge=self._profiles[level][j]),
