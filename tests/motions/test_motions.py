@@ -37,6 +37,7 @@ from gearwright.sections.loop import Loop
 from gearwright.sections.plane import Section
 from gearwright.sections.sphere import SphericalSection
 from gearwright.solids.solid import flux_moments
+from gearwright.surfaces.plane import Plane
 
 TURN = 2.0 * np.pi
 LEANING = Placement.of(
@@ -502,8 +503,11 @@ class TestRevolution:
         points = arc.point(np.linspace(-0.3, 1.1, 5))
         assert np.max(surface.deviation(Revolution().place(points, np.linspace(0.0, 4.0, 5)))) < 1e-15
         assert Revolution().swept_surface(Arc(radius=2.5, centre=(0.0, 0.1), interval=(-0.3, 1.1))) is None
-        assert Revolution().swept_surface(Line(first=(1.0, 0.0), last=(2.0, 0.0))) is None
+        assert Revolution().swept_surface(Line(first=(1.0, 0.0), last=(2.0, 0.1))) is None
         assert Straight().swept_surface(arc) is None
+
+    def test_lines_across_the_axis_sweep_planes(self):
+        assert Revolution().swept_surface(Line(first=(2.0, 1.5), last=(1.0, 1.5))) == Plane(origin=(0.0, 0.0, 1.5))
 
     @pytest.mark.parametrize("lift", [0.0, 10.0])
     def test_a_torus(self, lift):
