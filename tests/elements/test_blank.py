@@ -257,19 +257,19 @@ class TestBooleans:
 
     @pytest.mark.parametrize("kind", MOTIONS)
     def test_the_whole_is_what_booleans_leave(self, kind):
-        tolerance = 0.03
+        tolerance = 0.02
         solid = built("all of it", kind)
         ours = manifold(solid.polyhedron(tolerance))
         theirs = self.cut_out(manifold(ring(kind)(None).polyhedron(tolerance)))
         apart = (ours - theirs).volume() + (theirs - ours).volume()
-        assert apart < tolerance * solid.properties().area
+        assert apart < 0.25 * tolerance * solid.properties().area
         assert theirs.volume() == pytest.approx(solid.moments.volume, rel=5e-4)
         assert theirs.genus() == ours.genus() == 7
 
     def test_another_body_would_be_told_apart(self):
         solid = Blank(**{**FULL, "hub_offset": 8.5}).solid(ring(), ROOT, FACE)
-        ours, theirs = manifold(solid.polyhedron(0.03)), self.cut_out(manifold(ring()(None).polyhedron(0.03)))
-        assert (ours - theirs).volume() + (theirs - ours).volume() > 0.03 * solid.properties().area
+        ours, theirs = manifold(solid.polyhedron(0.02)), self.cut_out(manifold(ring()(None).polyhedron(0.02)))
+        assert (ours - theirs).volume() + (theirs - ours).volume() > 0.5 * 0.02 * solid.properties().area
 
 
 KEYED_CORNER = 2.0 * np.hypot(15.0 + 3.3, 4.0)
@@ -308,6 +308,7 @@ REFUSED = [
     ({"web_hole_circle": 49.0}, "web_hole_circle", ("more than 50 mm (hub)",)),
     ({"web_hole_diameter": 24.0}, "web_hole_diameter", ("run into the rim", "less than 23 mm", "6 on a circle of 73")),
     ({"web_hole_circle": 60.0}, "web_hole_diameter", ("run into the hub", "less than 10 mm")),
+    ({"web_hole_diameter": 1e-8}, "web_hole_diameter", ("rounding", "at least 7.3e-08 mm")),
     ({"web_holes": 20}, "web_hole_diameter", ("run into the next hole", "less than 11.41 mm")),
 ]
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 Found = Iterator[tuple[str, str]]
 
 _STANDARD = "din-6885"
+_LEAST_HOLE = 1e-9  # of their circle's diameter: smaller holes would lose half of their digits
 
 
 def blank_problems(blank: Blank, root_diameter: float, face_width: float) -> list[tuple[str, str]]:
@@ -144,6 +145,9 @@ def _holes(blank: Blank, root_diameter: float, face_width: float) -> Found:
     if holes.count > 1:
         limits["next hole"] = circle * float(np.sin(np.pi / holes.count))
     nearest = min(limits, key=lambda name: limits[name])
-    if 2.0 * holes.radius >= limits[nearest]:
+    if 2.0 * holes.radius < _LEAST_HOLE * circle:
+        least = f"{rounded_up(_LEAST_HOLE * circle)} {unit}"
+        yield "web_hole_diameter", f"lost in the rounding of where the holes are; at least {least}"
+    elif 2.0 * holes.radius >= limits[nearest]:
         limit = f"{rounded_down(limits[nearest])} {unit} for {holes.count} on a circle of {circle:.4g} {unit}"
         yield "web_hole_diameter", f"the holes would run into the {nearest}; less than {limit}"
