@@ -1,15 +1,20 @@
 """Bore, keyway, hub and web of a gear: exact, watertight, the same as by booleans, or refused with the limit."""
 
+from dataclasses import fields
+from types import SimpleNamespace
+
 import manifold3d
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from gearwright.elements import declarations
 from gearwright.elements.blank import Blank
 from gearwright.elements.standards.din_6885 import parallel_key
 from gearwright.motions.ends import between
 from gearwright.motions.straight import Straight
+from gearwright.parameters import Parameter
 from gearwright.solids.composite import Composite
 from gearwright.solids.solid import flux_moments
 from gearwright.solids.swept import Swept
@@ -205,6 +210,22 @@ def test_holes_are_midway_unless_a_circle_is_given():
     assert Blank(**BODIES["one hole"]).hole_circle.circle == 37.5
     corner = np.hypot(15.0 + 3.3, 4.0)  # of the keyway 8 × 3.3 that a bore of 30 has
     assert Blank(**BODIES["no hub"]).hole_circle.circle == pytest.approx((corner + 48.0) / 2.0)
+
+
+def test_sizes_that_follow_from_others():
+    found = Blank(bore=40.0 / 25.4, keyway="din-6885", length_unit="in").sizes()
+    assert {name: size.value * 25.4 for name, size in found.items()} == pytest.approx(
+        {"keyway_width": 12.0, "keyway_depth": 3.3}
+    )
+    assert Blank(**FULL).sizes()["web_hole_circle"].value == pytest.approx(73.0)
+    assert Blank(bore=40.0).sizes() == {}
+
+
+def test_every_field_is_declared_and_taken_from_an_element():
+    names = [field.name for field in fields(Blank)]
+    assert all(isinstance(getattr(declarations, name.upper()), Parameter) for name in names)
+    element = SimpleNamespace(**{name: getattr(Blank(**FULL), name) for name in names}, teeth=24)
+    assert Blank.of(element) == Blank(**FULL)
 
 
 @pytest.mark.parametrize("name", ["all of it", "keyway alone"])

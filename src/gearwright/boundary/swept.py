@@ -143,11 +143,11 @@ class _SweptLoop:
         return levels
 
     def _profile(self, j: int, curve: Curve, level: int, station: End) -> Edge:
-        row, motion = self._vertices[level], self._motions[min(level, len(self._motions) - 1)]
+        row = self._vertices[level]
         last = j + 1 == len(row)
         return Edge(
             name=f"profile {self.name}.{j}.{level}",
-            curve=Profile(motion=motion, curve=curve, station=station, interval=curve.interval),
+            curve=Profile(motion=self.motion, curve=curve, station=station, interval=curve.interval),
             start=row[j],
             end=row[0 if last else j + 1],
             end_turn=self._onward if last else 0,

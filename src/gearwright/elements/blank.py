@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
-from ..parameters import MILLIMETRES
+from ..parameters import MILLIMETRES, Size
 from ..solids.solid import Solid
 from .blank_limits import blank_problems
 from .blank_pieces import HoleCircle, Zone, assembled, zones
@@ -44,6 +44,11 @@ class Blank:
     web_hole_diameter: float | None = None
     web_hole_circle: float | None = None
     length_unit: str = "mm"
+
+    @classmethod
+    def of(cls, element: object) -> Blank:
+        """The blank of an element that declares parameters of these names."""
+        return cls(**{field.name: getattr(element, field.name) for field in fields(cls)})
 
     def problems(self, root_diameter: float, face_width: float) -> list[tuple[str, str]]:
         """Names of parameters that allow no such body inside these teeth, and why; none where all is well."""
@@ -94,6 +99,20 @@ class Blank:
     def hub_levels(self, face_width: float) -> tuple[float, float]:
         """From which to which z the hub reaches."""
         return -self.hub_offset, (face_width if self.hub_length is None else self.hub_length) - self.hub_offset
+
+    def sizes(self) -> dict[str, Size]:
+        """Sizes that follow from others: of the standard's keyway, and of the circle of the holes."""
+        rows = {}
+        if self.keyed_bore is not None:
+            rows["keyway_width"] = (self.keyed_bore.width, "b_k", "width of the keyway")
+            rows["keyway_depth"] = (self.keyed_bore.depth, "t_2", "depth of the keyway from the bore to its floor")
+        if self.hole_circle is not None:
+            rows["web_hole_circle"] = (
+                2.0 * self.hole_circle.circle,
+                "d_c",
+                "diameter of the circle of the web's holes",
+            )
+        return {name: Size(float(value), "length", symbol, meaning) for name, (value, symbol, meaning) in rows.items()}
 
     def zones(self, root_radius: float, face_width: float) -> tuple[Zone, ...]:
         """The body as rings of constant height, from the outside in."""
