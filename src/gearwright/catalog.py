@@ -119,6 +119,11 @@ MOTIONS = (
         source="gearwright.motions.extrusion:Extrusion",
     ),
     Motion(
+        name="herringbone",
+        summary="a plane section twisted to the middle of the length and back",
+        source="gearwright.motions.herringbone:Herringbone",
+    ),
+    Motion(
         name="transforming",
         summary="a plane section extruded while any smooth transform maps its plane",
         source="gearwright.motions.transforming:Transforming",

@@ -45,9 +45,9 @@ def test_gluing_adds_volumes_and_leaves_no_inner_face():
 
 
 def test_neighbours_without_a_common_surface_are_refused():
-    """A tube around a plug: the plug's ends are swept by lines, which continue no surface of ours."""
+    """A tube around a plug: the plug's ends are swept by slanting lines, which continue no surface of ours."""
     tube = extruded(circle(2.0), circle(1.0, sense=-1))
-    corners = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
+    corners = ((0.0, 0.1), (1.0, 0.0), (1.0, 1.0), (0.0, 0.9))
     lines = tuple(Line(first=a, last=b) for a, b in zip(corners, (*corners[1:], corners[0]), strict=True))
     plug = revolved(Loop(curves=lines))
     with pytest.raises(GeometryError, match="lies on no surface that another face could continue"):

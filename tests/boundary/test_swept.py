@@ -5,10 +5,14 @@ import pytest
 
 from gearwright.boundary.flux import boundary_flux
 from gearwright.boundary.sampling import sampling
+from gearwright.boundary.swept import swept_boundary
 from gearwright.boundary.tessellation import tessellate
 from gearwright.curves.arc import Arc
 from gearwright.curves.line import Line
+from gearwright.motions.ends import between
+from gearwright.motions.herringbone import Herringbone
 from gearwright.sections.loop import Loop
+from gearwright.sections.plane import Section
 
 from ..laws.topology import components, edges_pair_up, fans_at_vertices, genus, volume
 from .shapes import BOXES, SQUARE, circle, extruded, polygon, revolved
@@ -95,3 +99,18 @@ def test_an_arc_may_end_on_the_axis():
     arc = Arc(radius=1.0, interval=(-np.pi / 2.0, np.pi / 2.0))
     boundary = revolved(Loop(curves=(arc, Line(first=(0.0, 1.0), last=(0.0, -1.0)))))
     assert sum(edge.degenerate for edge in boundary.edges) == 2
+
+
+def test_at_a_break_of_the_motion_each_face_and_rail_goes_on_as_it_came():
+    """One-sided differences at both ends of every patch of a herringbone sweep, along the motion."""
+    boundary = swept_boundary(Section(loops=(SQUARE,)), Herringbone(length=4.0, twist=0.7), between(0.0, 4.0))
+    assert len(boundary.patches) == 8
+    u, h = np.array([0.2, 0.7]), 1e-6
+    for patch in boundary.patches:
+        for v, step in ((0.0, h), (1.0, -h)):
+            ends = np.full(2, v)
+            numeric = (patch.point(u, ends + step) - patch.point(u, ends)) / step
+            np.testing.assert_allclose(patch.partials(u, ends)[1], numeric, atol=1e-5)
+            for use in (patch.sides[1], patch.sides[3]):
+                rail = use.edge.curve
+                np.testing.assert_allclose(rail.derivative(v), (rail.point(v + step) - rail.point(v)) / step, atol=1e-5)

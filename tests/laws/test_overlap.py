@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import manifold3d
 import numpy as np
 import pytest
 
@@ -10,6 +9,7 @@ from gearwright.curves.curve import gauss_legendre
 from gearwright.elements.bevel_pair import BevelPair
 
 from .contact import involute_patches
+from .manifolds import manifold
 
 PAIRS = {
     "straight": {"teeth": (16, 20), "module": 4.0, "face_width": 15.0},
@@ -27,18 +27,11 @@ PAIRS = {
 CYCLE = (np.arange(3) + 0.2) / 3.0
 
 
-def _body(polyhedron, placement):
-    points = polyhedron.vertices @ placement[:3, :3].T + placement[:3, 3]
-    body = manifold3d.Manifold(manifold3d.Mesh64(points, np.asarray(polyhedron.faces).astype(np.uint64)))
-    assert body.status() == manifold3d.Error.NoError
-    return body
-
-
 def _overlap(pair, gear, tolerance):
     """The largest volume that pinion and gear share over a tooth cycle."""
     bodies = pair.pinion.polyhedron(tolerance), gear.polyhedron(tolerance)
     return max(
-        (_body(bodies[0], a) ^ _body(bodies[1], b)).volume()
+        (manifold(bodies[0], a) ^ manifold(bodies[1], b)).volume()
         for a, b in (pair.placements(float(turn) * 360.0 / pair.pinion.teeth) for turn in CYCLE)
     )
 

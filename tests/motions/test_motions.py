@@ -23,6 +23,7 @@ from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
 from gearwright.motions.extrusion import Extrusion
+from gearwright.motions.herringbone import Herringbone
 from gearwright.motions.motion import Motion
 from gearwright.motions.placed import Placed
 from gearwright.motions.plane_quadrature import quadrature_moments
@@ -36,6 +37,7 @@ from gearwright.sections.loop import Loop
 from gearwright.sections.plane import Section
 from gearwright.sections.sphere import SphericalSection
 from gearwright.solids.solid import flux_moments
+from gearwright.surfaces.plane import Plane
 
 TURN = 2.0 * np.pi
 LEANING = Placement.of(
@@ -120,6 +122,13 @@ EXAMPLES = {
         Example(
             Extrusion(length=2.5, twist=2.0, scale=(1.3, 0.7), skew=(-0.4, 0.9)), plane_section(), between(0.0, 2.5)
         ),
+        Example(Extrusion(length=2.5, twist=0.6, skew=(0.5, 0.2), near_angle=1.9), plane_section(), between(0.4, 2.5)),
+    ],
+    Herringbone: [
+        Example(Herringbone(length=2.5, twist=0.8), plane_section(), between(0.0, 2.5)),
+        Example(Herringbone(length=2.5, twist=-2.6), plane_section(), between(0.3, 2.1)),
+        Example(Herringbone(length=2.5, twist=0.8), plane_section(), between(0.1, 1.25)),
+        Example(Herringbone(length=2.5, twist=0.8), plane_section(), between(1.25, 2.2)),
     ],
     Transforming: [
         Example(Transforming(transform=transform_of(shearing, 2.5, 1e-14)), plane_section(), between(0.0, 2.5)),
@@ -150,6 +159,7 @@ EXAMPLES = {
         Example(Placed(motion=Straight(), placement=OVERTURNED), plane_section(), between(-0.7, 2.1)),
         Example(Placed(motion=Straight(), placement=RAISED), plane_section(), between(-0.7, 2.1)),
         Example(Placed(motion=Revolution(), placement=LEANING), plane_section(), between(0.5, 4.5)),
+        Example(Placed(motion=Herringbone(length=2.5, twist=0.8), placement=LEANING), plane_section(), between(0, 2.5)),
         Example(
             Placed(motion=Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), placement=LEANING),
             spherical_section(),
@@ -301,8 +311,24 @@ class TestEveryMotion:
         assert commutes(TURN / order if order else 0.9)
         assert commutes(0.9) == (order == 0)
 
-    def test_it_is_smooth(self, case):
-        assert case.motion.breaks(case.ends) == ()
+    def test_between_its_breaks_it_is_smooth_up_to_them(self, case):
+        points, _, _ = case.points()
+        for span in case.ends.spans(case.motion.breaks(case.ends)):
+            start, finish = span.constants
+            piece, h = case.motion.smooth_piece(span), 1e-3 * (finish - start)
+            inside = start + np.array([0.03, 0.5, 0.97])[:, None] * (finish - start)
+            np.testing.assert_allclose(piece.place(points, inside), case.motion.place(points, inside), atol=1e-14)
+            for v, inward in ((start, h), (finish, -h)):
+                np.testing.assert_allclose(piece.place(points, v), case.motion.place(points, v), atol=1e-14)
+                rates = [piece.velocity(points, v + k * inward) for k in range(6)]
+                # the fifth difference of anything smooth is next to nothing, that of a kink as large as the rates
+                fifth = sum(s * rate for s, rate in zip((1.0, -5.0, 10.0, -10.0, 5.0, -1.0), rates, strict=True))
+                assert np.max(np.abs(fifth)) < 1e-8 * np.max(np.abs(rates))
+
+    def test_only_a_herringbone_has_a_break(self, case):
+        motion = case.motion.motion if isinstance(case.motion, Placed) else case.motion
+        broken = isinstance(motion, Herringbone) and case.ends.constants not in ((0.1, 1.25), (1.25, 2.2))
+        assert case.motion.breaks(case.ends) == ((1.25,) if broken else ())
 
 
 def test_a_revolution_commutes_with_no_turn_of_its_section():
@@ -428,6 +454,38 @@ class TestExtrusion:
         assert skewed.central_second[0, 1] == pytest.approx(2.0 * np.pi * -3.0 / 12.0, rel=1e-13)
 
 
+class TestHerringbone:
+    def test_it_turns_to_the_middle_and_back(self):
+        motion, point = Herringbone(length=4.0, twist=0.6), np.array([1.0, 0.0])
+        for height, angle in ((0.0, 0.0), (1.0, 0.3), (2.0, 0.6), (3.0, 0.3), (4.0, 0.0)):
+            np.testing.assert_allclose(motion.place(point, height), [np.cos(angle), np.sin(angle), height], atol=1e-15)
+
+    def test_it_is_its_own_mirror_image_in_the_middle_plane(self):
+        section, ends = plane_section(), between(0.0, 4.0)
+        body = Herringbone(length=4.0, twist=0.6).moments(section, ends)
+        half = Extrusion(length=2.0, twist=0.6).moments(section, between(0.0, 2.0))
+        matrix, lower = shifted(body.matrix, body.origin), shifted(half.matrix, half.origin)
+        mirror = np.diag([1.0, 1.0, 1.0, -1.0])
+        mirror[3, 0] = 4.0
+        np.testing.assert_allclose(matrix, lower + mirror @ lower @ mirror.T, atol=1e-13 * matrix.max())
+
+    @pytest.mark.parametrize("copies", [3, 8])
+    def test_a_whole_wheel_has_the_moments_of_the_straight_one(self, copies):
+        step = TURN / copies
+        curves = (
+            Arc(radius=2.0, interval=(0.0, 0.4 * step)),
+            Line(
+                first=(2.0 * np.cos(0.4 * step), 2.0 * np.sin(0.4 * step)),
+                last=(2.0 * np.cos(step), 2.0 * np.sin(step)),
+            ),
+        )
+        section, ends = Section(loops=(Loop(curves=curves, copies=copies),)), between(0.0, 3.0)
+        straight, twisted = (m.moments(section, ends) for m in (Straight(), Herringbone(length=3.0, twist=0.7)))
+        assert twisted.volume == pytest.approx(straight.volume, rel=1e-15)
+        np.testing.assert_allclose(twisted.centroid, straight.centroid, atol=1e-15)
+        np.testing.assert_allclose(twisted.central_second, straight.central_second, atol=1e-14 * straight.volume)
+
+
 class TestRevolution:
     def test_the_section_s_x_is_the_radius_and_its_y_becomes_z(self):
         np.testing.assert_allclose(Revolution().place(np.array([2.0, 3.0]), 0.0), [2.0, 0.0, 3.0])
@@ -445,8 +503,11 @@ class TestRevolution:
         points = arc.point(np.linspace(-0.3, 1.1, 5))
         assert np.max(surface.deviation(Revolution().place(points, np.linspace(0.0, 4.0, 5)))) < 1e-15
         assert Revolution().swept_surface(Arc(radius=2.5, centre=(0.0, 0.1), interval=(-0.3, 1.1))) is None
-        assert Revolution().swept_surface(Line(first=(1.0, 0.0), last=(2.0, 0.0))) is None
+        assert Revolution().swept_surface(Line(first=(1.0, 0.0), last=(2.0, 0.1))) is None
         assert Straight().swept_surface(arc) is None
+
+    def test_lines_across_the_axis_sweep_planes(self):
+        assert Revolution().swept_surface(Line(first=(2.0, 1.5), last=(1.0, 1.5))) == Plane(origin=(0.0, 0.0, 1.5))
 
     @pytest.mark.parametrize("lift", [0.0, 10.0])
     def test_a_torus(self, lift):

@@ -64,6 +64,11 @@ class _SweptLoop:
         return (*(span.start for span in self._spans), self._spans[-1].finish)
 
     @cached_property
+    def _motions(self) -> tuple[Motion, ...]:
+        """The motion in each smooth span, smooth up to both ends of it."""
+        return tuple(self.motion.smooth_piece(span) for span in self._spans)
+
+    @cached_property
     def _pattern(self) -> Pattern:
         return Pattern(order=self.loop.copies)
 
@@ -114,7 +119,7 @@ class _SweptLoop:
             [
                 Edge(
                     name=f"rail {self.name}.{j}.{level}",
-                    curve=Rail(motion=self.motion, section_point=tuple(start), ends=span),
+                    curve=Rail(motion=self._motions[level], section_point=tuple(start), ends=span),
                     start=self._vertices[level][j],
                     end=self._vertices[level + 1][j],
                     pattern=self._vertices[level][j].pattern,
@@ -164,7 +169,7 @@ class _SweptLoop:
         return Patch(
             name=f"{self.name}.{j + 1}",
             curve=curve,
-            motion=self.motion,
+            motion=self._motions[level],
             ends=span,
             sides=(
                 EdgeUse(edge=self._profiles[level][j]),

@@ -32,6 +32,35 @@ BACKLASH = Parameter(
     minimum=0,
 )
 BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_bore", above=0)
+KEYWAY = Parameter(
+    meaning="keyway of the bore, below the first tooth: din-6885 is that of a parallel key of form A",
+    kind="choice",
+    choices=("none", "din-6885"),
+)
+KEYWAY_WIDTH = Parameter(meaning="width of a keyway of one's own size", unit="length", symbol="b_k", above=0)
+KEYWAY_DEPTH = Parameter(
+    meaning="depth of a keyway of one's own size, from the bore to its floor", unit="length", symbol="t_2", above=0
+)
+HUB_DIAMETER = Parameter(meaning="diameter of the hub", unit="length", symbol="d_h", above=0)
+HUB_LENGTH = Parameter(
+    meaning="whole length of the hub; the face width if not given", unit="length", symbol="l_h", above=0
+)
+HUB_OFFSET = Parameter(
+    meaning="how far the hub stands out at z = 0; what its length leaves stands out at the other end", unit="length"
+)
+RIM_DIAMETER = Parameter(meaning="inner diameter of the rim around a web", unit="length", symbol="d_r", above=0)
+WEB_THICKNESS = Parameter(
+    meaning="thickness of the web, in the middle of the face width", unit="length", symbol="b_s", above=0
+)
+WEB_HOLES = Parameter(
+    meaning="number of holes in the web, the first one below the first tooth", kind="integer", minimum=1, maximum=500
+)
+WEB_HOLE_DIAMETER = Parameter(meaning="diameter of the holes in the web", unit="length", above=0)
+WEB_HOLE_CIRCLE = Parameter(
+    meaning="diameter of the circle of the holes' middles; midway between hub and rim if not given",
+    unit="length",
+    above=0,
+)
 TRACE = Parameter(
     meaning="tooth trace along the face; logarithmic is a spiral", kind="choice", choices=("straight", "logarithmic")
 )

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 
-from ..parameters import rounded_down
+from ..parameters import rounded_down, rounded_up
 
 ONE_PITCH = "give one of module (mm) and diametral_pitch (per inch)"
 LOGARITHMIC_WITHOUT_ANGLE = 'a logarithmic trace needs one, such as 35; teeth without one are trace "straight"'
@@ -36,6 +37,30 @@ def no_tooth_left(limit: float, unit: str) -> str:
 def bore_in_roots(diameter: str, limit: float, unit: str) -> str:
     """The bore reaches the root diameter."""
     return f"cuts into the tooth roots; less than the {diameter}, {rounded_down(limit)} {unit}"
+
+
+def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
+    """The corners of the keyway's floor reach the root diameter."""
+    return (
+        f"its corners, on a circle of {corners:.4g} {unit}, cut into the tooth roots; they must stay within the "
+        f"root diameter, {rounded_down(limit)} {unit}: take a smaller bore or a shallower keyway"
+    )
+
+
+def in_roots(what: str, limit: float, unit: str) -> str:
+    """A part of the blank reaches the root diameter."""
+    return f"the {what} reaches the tooth roots; less than the root diameter, {rounded_down(limit)} {unit}"
+
+
+def no_wall(inside: Literal["bore", "keyway"], limit: float, unit: str) -> str:
+    """The hub is no larger than its bore, or than the circle around it and its keyway."""
+    around = "the bore" if inside == "bore" else "the circle around bore and keyway"
+    return f"leaves no wall around the {inside}; more than {around}, {rounded_up(limit)} {unit}"
+
+
+def no_web(inside: str, limit: float, unit: str) -> str:
+    """The rim's inner diameter is no larger than what is inside the web."""
+    return f"leaves no web; more than {inside}, {rounded_up(limit)} {unit}"
 
 
 def no_involute(what: str) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -57,3 +58,13 @@ def about_centroid(matrix: Array, method: Method, error: float, origin: Array | 
     loss = 4.0 * float(np.linalg.norm(matrix[1:, 1:]) / np.linalg.norm(centred[1:, 1:]))
     start = np.zeros(3) if origin is None else origin
     return BodyMoments(origin=start + centroid, matrix=centred, method=method, error_bound=error * max(1.0, loss))
+
+
+def summed(parts: Sequence[BodyMoments]) -> BodyMoments:
+    """The moments of bodies that do not overlap, all together: matrices add about their common centroid."""
+    volumes = np.array([part.volume for part in parts])
+    origin = volumes @ np.array([part.centroid for part in parts]) / volumes.sum()
+    matrix = np.sum([shifted(part.matrix, part.origin - origin) for part in parts], axis=0)
+    method: Method = "exact" if all(part.method == "exact" for part in parts) else "quadrature"
+    found = about_centroid(matrix, method, max(part.error_bound for part in parts), origin)
+    return replace(found, evaluations=sum(part.evaluations for part in parts))

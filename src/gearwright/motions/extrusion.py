@@ -21,12 +21,13 @@ _FAR = 100.0  # distance from the axis, in radii of gyration, squared: two digit
 
 @dataclass(frozen=True, kw_only=True)
 class Extrusion(ParallelMotion):
-    """p ↦ skew·v/L + R(twist·v/L) diag(1 + (s − 1) v/L) p, at height v from 0 to L, about the section's origin.
+    """p ↦ skew·v/L + R(φ₀ + twist·v/L) diag(1 + (s − 1) v/L) p, at height v from 0 to L, about the section's origin.
 
-    length   L
-    twist    angle of the far end against the near one, radians, right-handed if positive
-    scale    (s_x, s_y) of the far end, positive
-    skew     offset (x, y) of the far end, a length
+    length       L
+    twist        angle of the far end against the near one, radians, right-handed if positive
+    scale        (s_x, s_y) of the far end, positive
+    skew         offset (x, y) of the far end, a length
+    near_angle   φ₀, by which the near end is turned already, radians
 
     Source: Al-Daccak 1989, eqs. (5.17)–(5.20).
     """
@@ -35,6 +36,7 @@ class Extrusion(ParallelMotion):
     twist: float = 0.0
     scale: tuple[float, float] = (1.0, 1.0)
     skew: tuple[float, float] = (0.0, 0.0)
+    near_angle: float = 0.0
 
     def linear(self, v: ArrayLike) -> Array:
         t = np.asarray(v, float) / self.length
@@ -48,7 +50,8 @@ class Extrusion(ParallelMotion):
         return (turning + growing) / self.length
 
     def _turn(self, t: Array) -> Array:
-        c, s = np.cos(self.twist * t), np.sin(self.twist * t)
+        angle = self.near_angle + self.twist * t
+        c, s = np.cos(angle), np.sin(angle)
         return np.stack([np.stack([c, -s], axis=-1), np.stack([s, c], axis=-1)], axis=-2)
 
     def _scales(self, t: Array) -> Array:
@@ -78,7 +81,7 @@ class Extrusion(ParallelMotion):
             local.values,
             centre,
             [(1.0 + g * at, g * share) for g in growth],
-            cmath.exp(1j * self.twist * at),
+            cmath.exp(1j * (self.near_angle + self.twist * at)),
             self.twist * share,
             offset * share,
             half,

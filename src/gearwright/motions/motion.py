@@ -63,6 +63,11 @@ class Motion(ABC):
         del ends
         return ()
 
+    def smooth_piece(self, span: Ends) -> Motion:
+        """The motion within a span between neighbouring breaks, as one that is smooth up to both ends of it."""
+        del span
+        return self
+
     def panels(self, start: float, finish: float) -> tuple[float, ...]:
         """Parameters between two at which the motion is smooth but not analytic: where quadratures start anew."""
         del start, finish

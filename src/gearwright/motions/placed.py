@@ -53,6 +53,9 @@ class Placed(Motion):
     def breaks(self, ends: Ends) -> tuple[float, ...]:
         return self.motion.breaks(ends)
 
+    def smooth_piece(self, span: Ends) -> Motion:
+        return replace(self, motion=self.motion.smooth_piece(span))
+
     def panels(self, start: float, finish: float) -> tuple[float, ...]:
         return self.motion.panels(start, finish)
 

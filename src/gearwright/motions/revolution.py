@@ -9,6 +9,7 @@ import numpy as np
 from ..arrays import Array, ArrayLike
 from ..curves.arc import Arc
 from ..curves.curve import Curve
+from ..curves.line import Line
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import revolution_sweep
 from ..sections.plane import Section
@@ -54,6 +55,8 @@ class Revolution(Motion):
     def swept_surface(self, curve: Curve) -> Surface | None:
         if isinstance(curve, Arc) and curve.centre == (0.0, 0.0):
             return Sphere(radius=curve.radius)
+        if isinstance(curve, Line) and curve.first[1] == curve.last[1]:
+            return Plane(origin=(0.0, 0.0, float(curve.first[1])))
         return None
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:

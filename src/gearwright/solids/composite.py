@@ -5,12 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property, reduce
 
-import numpy as np
-
 from ..boundary.boundary import Boundary
 from ..boundary.gluing import Joint, glued
-from ..moments.body import BodyMoments, Method, about_centroid
-from ..moments.matrix import shifted
+from ..moments.body import BodyMoments, summed
 from .interference import united
 from .solid import Solid
 
@@ -38,9 +35,4 @@ class Composite(Solid):
 
     @cached_property
     def moments(self) -> BodyMoments:
-        parts = [piece.moments for piece in self.pieces]
-        volumes = np.array([part.volume for part in parts])
-        origin = volumes @ np.array([part.centroid for part in parts]) / volumes.sum()
-        matrix = np.sum([shifted(part.matrix, part.origin - origin) for part in parts], axis=0)
-        method: Method = "exact" if all(part.method == "exact" for part in parts) else "quadrature"
-        return about_centroid(matrix, method, max(part.error_bound for part in parts), origin)
+        return summed([piece.moments for piece in self.pieces])
