@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from .curves.helix import helix
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
+    from .elements.cylindrical.gear_pair import GearPair
     from .elements.cylindrical.helical_gear import HelicalGear
+    from .elements.cylindrical.herringbone_gear import HerringboneGear
     from .elements.cylindrical.internal_gear import InternalGear
     from .elements.cylindrical.rack import Rack
     from .elements.cylindrical.spur_gear import SpurGear
@@ -33,9 +35,11 @@ __all__ = [
     "BevelGear",
     "BevelPair",
     "FileError",
+    "GearPair",
     "GearwrightError",
     "GeometryError",
     "HelicalGear",
+    "HerringboneGear",
     "InternalGear",
     "MachineError",
     "MassProperties",
@@ -63,7 +67,9 @@ _MODULES = {
     ".curves.helix": ("helix",),
     ".elements.bevel_gear": ("BevelGear",),
     ".elements.bevel_pair": ("BevelPair",),
+    ".elements.cylindrical.gear_pair": ("GearPair",),
     ".elements.cylindrical.helical_gear": ("HelicalGear",),
+    ".elements.cylindrical.herringbone_gear": ("HerringboneGear",),
     ".elements.cylindrical.internal_gear": ("InternalGear",),
     ".elements.cylindrical.rack": ("Rack",),
     ".elements.cylindrical.spur_gear": ("SpurGear",),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any, Literal
 
@@ -23,6 +24,7 @@ class Element:
     command   the subcommand of the command line that builds it
     members   how many parts it has: 1, or 2 for a pair
     origin    what is at the origin of a part's frame
+    settled   choices that the command makes by itself, by the parameters' names
     """
 
     name: str
@@ -31,6 +33,7 @@ class Element:
     command: str
     origin: str
     members: Literal[1, 2] = 1
+    settled: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,6 +71,31 @@ ELEMENTS = (
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
         members=2,
+    ),
+    *(
+        Element(
+            name=f"{kind} pair" if kind != "rack" else "rack and pinion",
+            summary=summary,
+            source="gearwright.elements.cylindrical.gear_pair:GearPair",
+            command=kind,
+            origin="on the part's axis, +z, at one end of the teeth; of a rack as for one alone",
+            members=2,
+            settled={"kind": kind},
+        )
+        for kind, summary in {
+            "spur": "two spur gears in mesh",
+            "helical": "two helical gears in mesh",
+            "herringbone": "two herringbone gears in mesh",
+            "internal": "a pinion in an internal gear",
+            "rack": "a pinion on a rack",
+        }.items()
+    ),
+    Element(
+        name="herringbone gear",
+        summary="a herringbone gear",
+        source="gearwright.elements.cylindrical.herringbone_gear:HerringboneGear",
+        command="herringbone",
+        origin="on the axis, +z, at one end of the teeth",
     ),
     Element(
         name="helical gear",

@@ -12,8 +12,8 @@ from typing import Any
 from .. import catalog
 from ..disk import contents
 from ..errors import FileError, Problem, ProblemsError
-from ..parameters import FileName, declarations, did_you_mean
-from .kinds import chosen, kinds_of
+from ..parameters import FileName, did_you_mean
+from .kinds import chosen, kinds_of, parameters_of
 
 ELEMENT = "element"
 """The key that names the element's command; all others are parameters."""
@@ -75,11 +75,7 @@ def _misnamed(table: Mapping[str, Any]) -> list[Problem]:
 
 def _found_beside(path: Path, kind: catalog.Element, values: Mapping[str, Any]) -> dict[str, Any]:
     """The values with names of files as seen from the design's folder."""
-    files = {
-        d.name
-        for d in declarations(catalog.load(kind.source))
-        if any(isinstance(form, FileName) for form in d.parameter.forms)
-    }
+    files = {d.name for d in parameters_of(kind) if any(isinstance(form, FileName) for form in d.parameter.forms)}
     return {
         name: str(path.parent / value) if name in files and isinstance(value, str) and value else value
         for name, value in values.items()

@@ -10,7 +10,7 @@ from .. import catalog
 from ..errors import ProblemsError
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
-from .kinds import chosen, element_of, kinds_of, parameter_names, said
+from .kinds import chosen, element_of, kinds_of, parameter_names, parameters_of, said
 from .options import given_values, offered, option_name, signature_parameters
 from .wording import in_options, text_in_options
 
@@ -28,7 +28,7 @@ def __getattr__(name: str) -> Callable[..., int]:
 
 def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
     """A function whose signature is the union of the parameters of the kinds, and the common options."""
-    parameters = offered({kind.name: catalog.load(kind.source) for kind in kinds})
+    parameters = offered({kind.name: parameters_of(kind) for kind in kinds})
 
     def run(*, outputs: Outputs = DEFAULT, **words: Sequence[str] | None) -> int:
         kind = chosen(kinds, words.get("teeth") or None)

@@ -7,7 +7,7 @@ from typing import Any
 
 from .. import catalog
 from ..errors import ParameterError, Problem
-from ..parameters import declarations, from_mapping
+from ..parameters import Declaration, declarations, from_mapping
 from .options import teeth_given
 
 
@@ -16,9 +16,18 @@ def kinds_of(command: str) -> list[catalog.Element]:
     return sorted((kind for kind in catalog.ELEMENTS if kind.command == command), key=lambda kind: -kind.members)
 
 
+def parameters_of(kind: catalog.Element) -> tuple[Declaration, ...]:
+    """The parameters that are left for a person to give, once the command has settled some."""
+    return tuple(
+        d
+        for d in declarations(catalog.load(kind.source))
+        if d.name not in kind.settled and d.inapplicable(kind.settled) is None
+    )
+
+
 def parameter_names(kind: catalog.Element) -> set[str]:
     """The names of the parameters of a kind."""
-    return {d.name for d in declarations(catalog.load(kind.source))}
+    return {d.name for d in parameters_of(kind)}
 
 
 def chosen(kinds: Sequence[catalog.Element], teeth: object) -> catalog.Element:
@@ -47,7 +56,8 @@ def element_of(
     ]
     try:
         element = from_mapping(
-            catalog.load(kind.source), {name: value for name, value in values.items() if name not in others}
+            catalog.load(kind.source),
+            {**{name: value for name, value in values.items() if name not in others}, **kind.settled},
         )
     except ParameterError as error:
         return None, [*problems, *error.problems]

@@ -11,7 +11,7 @@ from cyclopts import Group
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..parameters import Declaration, FileName, Parameter, declarations, in_words
+from ..parameters import Declaration, FileName, Parameter, in_words
 
 NEEDED = Group("Needed", sort_key=1)
 SHAPE = Group("Shape", sort_key=2)
@@ -28,11 +28,11 @@ class Offered:
     only: str
 
 
-def offered(kinds: Mapping[str, type]) -> dict[str, Offered]:
+def offered(kinds: Mapping[str, Sequence[Declaration]]) -> dict[str, Offered]:
     """The parameters of several kinds of elements that can be typed, by name, as in the first kind that has each."""
     found: dict[str, Offered] = {}
-    for name in dict.fromkeys(d.name for kind in kinds.values() for d in declarations(kind) if d.parameter.typed):
-        owners = {kind: d for kind, element in kinds.items() for d in declarations(element) if d.name == name}
+    for name in dict.fromkeys(d.name for own in kinds.values() for d in own if d.parameter.typed):
+        owners = {kind: d for kind, own in kinds.items() for d in own if d.name == name}
         first = next(iter(owners.values()))
         if len({d.members for d in owners.values()}) > 1:
             first = replace(first, members="both")

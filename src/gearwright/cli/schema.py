@@ -22,12 +22,11 @@ from ..parameters import (
     Several,
     Table,
     Text,
-    declarations,
     did_you_mean,
 )
 from .design import ELEMENT
 from .exits import DONE
-from .kinds import kinds_of
+from .kinds import kinds_of, parameters_of
 
 Schema = dict[str, Any]
 
@@ -66,7 +65,7 @@ def design_schema(commands: list[str]) -> Schema:
 
 
 def _kind(kind: catalog.Element) -> Schema:
-    entries = declarations(catalog.load(kind.source))
+    entries = parameters_of(kind)
     table = _table(entries)
     return {
         "title": kind.name,

@@ -216,7 +216,8 @@ RACK_HEIGHT = Parameter(
     above=0,
 )
 PAIR_KIND = Parameter(
-    meaning="what the gear, the second member, is", kind="choice",
+    meaning="what the gear, the second member, is",
+    kind="choice",
     choices=("spur", "helical", "herringbone", "internal", "rack"),
 )
 CENTRE_DISTANCE = Parameter(

@@ -98,9 +98,7 @@ class GearPair(Pair):
     )
     fillet_radius: float | None = declared(d.FILLET_RADIUS, default=None, only={"kind": ("internal", "rack")})
     tip_relief: float | tuple[float, float] = declared(d.TIP_RELIEF, default=0.0, members="both")
-    tip_relief_height: float | tuple[float, float] | None = declared(
-        d.TIP_RELIEF_HEIGHT, default=None, members="both"
-    )
+    tip_relief_height: float | tuple[float, float] | None = declared(d.TIP_RELIEF_HEIGHT, default=None, members="both")
     tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
     tip_chamfer: float | tuple[float, float] = declared(d.TIP_CHAMFER, default=0.0, members="both")
     crowning: float | tuple[float, float] = declared(d.CROWNING, default=0.0, members="both")
@@ -167,7 +165,7 @@ class GearPair(Pair):
     def pinion(self) -> ExternalGear:
         """The first member, in its own frame."""
         values = self._values(0)
-        return MEMBERS[self.kind][0](**self._shortened(values))  # type: ignore[return-value]
+        return MEMBERS[self.kind][0](**self._shortened(values))
 
     @cached_property
     def gear(self) -> CylindricalGear | Rack:

@@ -118,7 +118,9 @@ class GearMesh(Mesh):
     @property
     def _range_of_mate(self) -> tuple[float, float]:
         toothing, gear = self.gear.toothing, self.gear
-        ends = [toothing.base_radius * float(toothing.roll(r)) for r in (gear.flank.usable_tip_radius, gear.form_radius)]
+        ends = [
+            toothing.base_radius * float(toothing.roll(r)) for r in (gear.flank.usable_tip_radius, gear.form_radius)
+        ]
         first, last = (self._sign * (self.between_tangents - end) for end in ends)
         return first, last
 

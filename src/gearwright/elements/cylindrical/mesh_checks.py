@@ -33,7 +33,7 @@ def _fit(mesh: Mesh, unit: str) -> Iterator[Found]:
 def _free_distance(mesh: Mesh) -> str:
     """The distance at which there is no backlash, with the side on which there is some; "" where there is none."""
     if not isinstance(mesh, GearMesh):
-        over = (mesh.centre_distance - mesh.backlash / 2.0 / np.tan(mesh.working_pressure_angle))
+        over = mesh.centre_distance - mesh.backlash / 2.0 / np.tan(mesh.working_pressure_angle)
         return f"at least {over:.6g}"
     one, other = mesh.pinion.toothing, mesh.gear.toothing
     sign = other.outward
