@@ -61,7 +61,7 @@ class Extrusion(ParallelMotion):
         return np.broadcast_to(np.array(self.skew) / self.length, (*np.shape(v), 2)).copy()
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        """In closed form; by quadrature for a section that varies, or so far from its axis that digits would be lost."""
+        """In closed form; by quadrature for a section that varies, or so far off that the closed form loses digits."""
         constants = ends.constants
         if constants is None or not isinstance(section, Section):
             return None
