@@ -316,7 +316,7 @@ class TestRefusals:
             CrownedGear(Polynomial(coefficients=(0.0, 0.0014))).solid()
 
     def test_teeth_that_are_pointed_at_one_height_alone_are_refused_there(self):
-        """At 11.3 the flanks turn by 0.028, more than the 0.0275 of half a tip, and at the heights around it by less."""
+        """At 11.3 the flanks turn by 0.028, more than the 0.0275 of half a tip; at the heights around by less."""
         with pytest.raises(GeometryError, match=r"at height 11\.3, loop 1"):
             CrownedGear(Polynomial(coefficients=(0.028, 0.0, -0.0006), centre=11.3)).solid()
         blunt = CrownedGear(Polynomial(coefficients=(0.027, 0.0, -0.0006), centre=11.3))
