@@ -16,6 +16,10 @@ def test_values_and_derivatives_are_those_of_the_written_polynomial():
     assert CUBIC.value(12.0) == pytest.approx(2.5)
 
 
+def test_the_opposite_polynomial_has_opposite_values():
+    np.testing.assert_array_equal((-CUBIC).value([7.0, 12.5]), -CUBIC.value([7.0, 12.5]))
+
+
 def test_a_constant_is_one():
     constant = Polynomial(coefficients=(0.4,))
     np.testing.assert_array_equal(constant.value([1.0, 2.0]), [0.4, 0.4])

@@ -6,7 +6,7 @@ import pytest
 from gearwright.curves.curve import mapped, turn
 from gearwright.curves.involute import Involute
 from gearwright.curves.polynomial import Polynomial, parabola
-from gearwright.curves.turning import Turned, TurnedArc
+from gearwright.curves.turning import TurnedArc, turned
 
 RELIEF = 0.03
 BASE = 2.3
@@ -15,7 +15,7 @@ INVOLUTE = Involute(base_radius=BASE, interval=(0.2, 1.3))
 
 def test_the_normal_offset_of_an_involute_is_the_involute_turned_by_offset_over_base_radius():
     """The flank's normals touch the base circle: along them it is moved inward by the relief, at another roll."""
-    flank = Turned(interval=(0.2, 1.3), curve=INVOLUTE, turning=parabola(RELIEF / BASE, 0.0, 10.0))
+    flank = turned(INVOLUTE, parabola(RELIEF / BASE, 0.0, 10.0))
     for v, offset in ((0.0, RELIEF), (2.5, RELIEF / 4.0), (5.0, 0.0), (10.0, RELIEF)):
         u = np.linspace(0.3, 1.2, 7)
         # at roll u the tangent is (cos u, sin u), so that the normal towards growing azimuth is (−sin u, cos u)
@@ -25,7 +25,7 @@ def test_the_normal_offset_of_an_involute_is_the_involute_turned_by_offset_over_
 
 
 def test_a_positive_angle_turns_counter_clockwise_and_its_mirror_image_clockwise():
-    flank = Turned(interval=(0.2, 1.3), curve=INVOLUTE, turning=Polynomial(coefficients=(0.0, 0.1)))
+    flank = turned(INVOLUTE, Polynomial(coefficients=(0.0, 0.1)))
     for curve, sign in ((flank, 1.0), (mapped(flank, turn(0.9, 2, mirrored=True)), -1.0)):
         first, later = (np.arctan2(*curve.at(v).point(0.7)[::-1]) for v in (0.0, 3.0))
         assert later - first == pytest.approx(sign * 0.3, abs=1e-15)
@@ -34,8 +34,8 @@ def test_a_positive_angle_turns_counter_clockwise_and_its_mirror_image_clockwise
 
 def test_turns_add():
     first, second = Polynomial(coefficients=(0.1, 0.2)), Polynomial(coefficients=(0.0, 0.0, 0.3), centre=1.0)
-    inner = Turned(interval=(0.2, 1.3), curve=INVOLUTE, turning=first)
-    both = Turned(interval=(0.2, 1.3), curve=inner, turning=second)
+    inner = turned(INVOLUTE, first)
+    both = turned(inner, second)
     expected = turn(0.1 + 0.2 * 2.5 + 0.3 * 1.5**2, 2) @ INVOLUTE.point(0.8)
     np.testing.assert_allclose(both.at(2.5).point(0.8), expected, atol=1e-15)
     assert both.extremes(-4.0, 4.0) == (1.0,)

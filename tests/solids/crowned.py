@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -12,7 +12,7 @@ from gearwright.curves.curve import Curve, mapped, turn
 from gearwright.curves.involute import Involute, involute_function, involute_of_roll
 from gearwright.curves.line import Line
 from gearwright.curves.polynomial import Polynomial
-from gearwright.curves.turning import Turned, TurnedArc
+from gearwright.curves.turning import TurnedArc, turned
 from gearwright.motions.ends import between
 from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.straight import Straight
@@ -51,11 +51,10 @@ class CrownedGear:
         if root < base:
             down = np.array([np.cos(low), -np.sin(low)])
             rising.insert(0, Line(first=tuple(root * down), last=tuple(base * down)))
-        rising = [Turned(interval=curve.interval, curve=curve, turning=self.thinning) for curve in rising]
+        rising = [turned(curve, self.thinning) for curve in rising]
         falling = [mapped(curve, turn(0.0, 2, mirrored=True)).reversed() for curve in reversed(rising)]
-        inward = replace(self.thinning, coefficients=tuple(-c for c in self.thinning.coefficients))
-        top = TurnedArc(radius=tip, azimuths=(-high, high), turnings=(self.thinning, inward))
-        space = TurnedArc(radius=root, azimuths=(low, step - low), turnings=(inward, self.thinning))
+        top = TurnedArc(radius=tip, azimuths=(-high, high), turnings=(self.thinning, -self.thinning))
+        space = TurnedArc(radius=root, azimuths=(low, step - low), turnings=(-self.thinning, self.thinning))
         outline = Loop(curves=(*rising, top, *falling, space), copies=self.teeth)
         hole = Loop(curves=(Arc(radius=self.bore, interval=(0.0, -step)),), copies=self.teeth)
         return Section(loops=(outline, hole))

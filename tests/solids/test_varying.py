@@ -11,7 +11,7 @@ from gearwright.curves.frames import rotation_minimising
 from gearwright.curves.helix import helix
 from gearwright.curves.line import Line
 from gearwright.curves.polynomial import Polynomial, parabola
-from gearwright.curves.turning import Turned, TurnedArc
+from gearwright.curves.turning import TurnedArc, turned
 from gearwright.errors import GeometryError
 from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
@@ -151,12 +151,7 @@ def lopsided(turning=None):
     corner = (1.1, -0.4)
     outer = (Line(first=corner, last=tuple(arc.start)), arc, Line(first=tuple(arc.end), last=corner))
     hole = (Arc(radius=0.5, centre=(2.9, 1.1), interval=(2.0 * np.pi, 0.0)),)
-    loops = [
-        tuple(
-            curve if turning is None else Turned(interval=curve.interval, curve=curve, turning=turning) for curve in c
-        )
-        for c in (outer, hole)
-    ]
+    loops = [tuple(curve if turning is None else turned(curve, turning) for curve in chain) for chain in (outer, hole)]
     return Section(loops=tuple(Loop(curves=curves) for curves in loops))
 
 

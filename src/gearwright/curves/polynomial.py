@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,6 +29,9 @@ class Polynomial:
     def derivative(self, v: ArrayLike) -> Array:
         """d/dv at parameters v (...)."""
         return self._sum([k * c for k, c in enumerate(self.coefficients)][1:] or [0.0], v)
+
+    def __neg__(self) -> Polynomial:
+        return replace(self, coefficients=tuple(-c for c in self.coefficients))
 
     def extremes(self, start: float, finish: float) -> tuple[float, ...]:
         """Parameters strictly between two at which the derivative is nought."""

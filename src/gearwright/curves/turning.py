@@ -50,6 +50,11 @@ class Turned(Family):
         return self.curve.panels
 
 
+def turned(curve: Curve, turning: Polynomial) -> Turned:
+    """The family of a curve that turns about the origin by δ(v)."""
+    return Turned(interval=curve.interval, curve=curve, turning=turning)
+
+
 @dataclass(frozen=True, kw_only=True)
 class TurnedArc(Family):
     """An arc of a circle about the origin whose two ends turn each by its own angle; u from 0 to 1.
