@@ -31,6 +31,7 @@ def test_extremes_lie_between_the_ends():
     product = Polynomial(coefficients=(0.0, 12.0, -9.0, 2.0), centre=3.0)  # derivative 6 (x − 1)(x − 2)
     assert product.extremes(0.0, 9.0) == pytest.approx((4.0, 5.0))
     assert product.extremes(4.5, 9.0) == pytest.approx((5.0,))
+    assert product.extremes(0.0, 4.5) == pytest.approx((4.0,))
     assert product.extremes(5.5, 9.0) == ()
     assert Polynomial(coefficients=(0.0, 1.0, 0.0, 1.0)).extremes(-9.0, 9.0) == ()  # 1 + 3 x² has no real root
     assert Polynomial(coefficients=(0.0, 0.0, 1.0)).extremes(-1.0, 1.0) == (0.0,)

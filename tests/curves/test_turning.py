@@ -32,6 +32,11 @@ def test_a_positive_angle_turns_counter_clockwise_and_its_mirror_image_clockwise
         np.testing.assert_array_equal(curve.point(0.7), curve.at(0.0).point(0.7))
 
 
+def test_a_mirror_image_turns_back_where_the_curve_does():
+    flank = turned(INVOLUTE, parabola(0.1, 2.0, 5.0))
+    assert mapped(flank, turn(0.9, 2, mirrored=True)).extremes(0.0, 9.0) == (3.5,)
+
+
 def test_turns_add():
     first, second = Polynomial(coefficients=(0.1, 0.2)), Polynomial(coefficients=(0.0, 0.0, 0.3), centre=1.0)
     inner = turned(INVOLUTE, first)
