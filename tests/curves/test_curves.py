@@ -13,18 +13,24 @@ from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
 from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
 from gearwright.curves.elliptic_arc import EllipticArc
+from gearwright.curves.family import Member
 from gearwright.curves.helix import helix
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import Path, path_through
+from gearwright.curves.polynomial import Polynomial
 from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.curves.relieved_involute import RelievedInvolute
 from gearwright.curves.spherical_involute import SphericalInvolute
 from gearwright.curves.trochoid import Trochoid
+from gearwright.curves.turning import Turned, TurnedArc
 
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
+CROWNING = Polynomial(coefficients=(0.1, -0.4, 0.7), centre=0.6)
+TURNED = Turned(interval=(0.1, 1.1), curve=Involute(base_radius=2.0, interval=(0.1, 1.1)), turning=CROWNING)
+LIFTING = Polynomial(coefficients=(0.0, 0.3, 0.0, -0.2))
 
 EXAMPLES = {
     Line: [
@@ -65,7 +71,31 @@ EXAMPLES = {
         SphericalInvolute(base_cone_angle=0.6, interval=(0.0, 3.5)),
         SphericalInvolute(base_cone_angle=1.3, interval=(3.1, 0.2)),
     ],
+    Turned: [
+        TURNED,
+        Turned(interval=(0.9, 0.2), curve=TURNED, turning=LIFTING),
+        Turned(
+            interval=(0.3, 2.0),
+            curve=SphericalInvolute(base_cone_angle=0.7, interval=(0.3, 2.0)),
+            turning=Polynomial(coefficients=(0.2, 1.3), centre=-2.0),
+        ),
+        Turned(
+            interval=(0.0, 1.0),
+            curve=Line(first=(1.0, -2.0), last=(-0.5, 3.0)),
+            turning=Polynomial(coefficients=(0.4,)),
+        ),
+    ],
+    TurnedArc: [
+        TurnedArc(radius=1.7, azimuths=(-0.2, 0.3), turnings=(CROWNING, LIFTING)),
+        TurnedArc(radius=0.6, azimuths=(2.0, -0.9), turnings=(LIFTING, CROWNING), interval=(0.8, 0.1)),
+    ],
+    Member: [
+        TURNED.at(0.35),
+        Turned(interval=(0.9, 0.2), curve=TURNED, turning=LIFTING).at(-0.8),
+        TurnedArc(radius=1.7, azimuths=(-0.2, 0.3), turnings=(CROWNING, LIFTING)).at(1.2),
+    ],
     Mapped: [
+        mapped(TURNED, SHEARED_MIRROR),
         mapped(Involute(base_radius=2.0, interval=(0.1, 1.1)), SHEARED_MIRROR),
         mapped(Arc(radius=1.5, interval=(0.2, 1.0)), turn(0.7, 2, mirrored=True)).reversed(),
         mapped(SphericalInvolute(base_cone_angle=0.7, interval=(0.3, 2.0)), turn(-1.9, 3, mirrored=True)),
@@ -180,17 +210,61 @@ def test_quadrature_integrates_any_form_as_fine_chords_do(curve):
     assert np.sum(form(backwards[0]) * backwards[1]) == pytest.approx(-extrapolated, abs=1e-9)
 
 
-@pytest.mark.parametrize("curve", [p for p in CURVES if not isinstance(p.values[0], Mapped)])
+FAMILIES = [p for p in CURVES if p.values[0].varies]
+CONSTANT = [p for p in CURVES if not p.values[0].varies]
+STATIONS = np.array([-0.7, 0.0, 0.31, 0.9, 1.6])
+
+
+@pytest.mark.parametrize("curve", CONSTANT)
 def test_a_constant_curve_is_its_own_family(curve):
     assert curve.at(0.7) is curve
+    assert curve.extremes(-9.0, 9.0) == ()
 
 
-@pytest.mark.parametrize("curve", CURVES)
+@pytest.mark.parametrize("curve", CONSTANT)
 def test_a_constant_curve_does_not_vary(curve):
     u = curve.parameter(FRACTIONS)[:, None]
     variation = curve.variation(u, np.array([0.1, 0.2]))
     assert variation.shape == (5, 2, curve.start.size)
     assert not variation.any()
+
+
+@pytest.mark.parametrize("curve", CURVES)
+def test_the_variation_is_the_difference_of_members(curve):
+    u = curve.parameter(FRACTIONS)[:, None]
+    variation = curve.variation(u, STATIONS)
+    assert variation.shape == (5, 5, curve.start.size)
+    for v, found in zip(STATIONS, np.moveaxis(variation, 1, 0), strict=True):
+        numeric = difference(lambda w: curve.at(w).point(u[:, 0]), v)
+        np.testing.assert_allclose(found, numeric, atol=1e-10)
+        np.testing.assert_allclose(curve.variation(u[:, 0], v), found, rtol=1e-15, atol=1e-15)
+
+
+@pytest.mark.parametrize("curve", CURVES)
+def test_members_at_an_array_of_parameters_are_one_by_one(curve):
+    u, v = np.meshgrid(curve.parameter(FRACTIONS), STATIONS)
+    member = curve.at(v)
+    for function, of in ((member.point, "point"), (member.derivative, "derivative")):
+        for i, j in np.ndindex(u.shape):
+            one = getattr(curve.at(float(v[i, j])), of)(float(u[i, j]))
+            np.testing.assert_allclose(function(u)[i, j], one, rtol=1e-15, atol=1e-15)
+
+
+@pytest.mark.parametrize("curve", FAMILIES)
+class TestEveryFamily:
+    def test_a_member_has_the_interval_and_no_members_of_its_own(self, curve):
+        member = curve.at(0.9)
+        assert member.interval == curve.interval
+        assert not member.varies
+        assert not member.variation(member.parameter(FRACTIONS), 0.3).any()
+        back = curve.reversed()
+        np.testing.assert_array_equal(back.at(0.9).start, member.end)
+
+    def test_the_derivative_of_a_member_is_the_difference_of_its_points(self, curve):
+        for v in STATIONS:
+            member = curve.at(v)
+            u = member.parameter(FRACTIONS)
+            np.testing.assert_allclose(member.derivative(u), difference(member.point, u), atol=1e-10)
 
 
 @pytest.mark.parametrize(

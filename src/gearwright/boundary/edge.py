@@ -112,6 +112,35 @@ class Rail(Curve):
 
 
 @dataclass(frozen=True, kw_only=True)
+class VaryingRail(Curve):
+    """The way of the start of a family's members through a motion, by the fraction t between constant ends."""
+
+    motion: Motion
+    curve: Curve
+    ends: Ends
+    interval: tuple[float, float] = (0.0, 1.0)
+
+    def point(self, u: ArrayLike) -> Array:
+        first, v = self._first(u)
+        return self.motion.place(self.curve.at(v).point(first), v)
+
+    def derivative(self, u: ArrayLike) -> Array:
+        first, v = self._first(u)
+        p = self.curve.at(v).point(first)
+        rate = self.motion.velocity(p, v) + self.motion.carry(p, self.curve.variation(first, v), v)
+        return rate * self.ends.span(p)[..., None]
+
+    @property
+    def panels(self) -> tuple[float, ...]:
+        return motion_panels(self.motion, self.ends)
+
+    def _first(self, u: ArrayLike) -> tuple[Array, Array]:
+        """The parameter of the curve's start, and the motion's (...) at fractions u (...)."""
+        first = np.full(np.shape(u), self.curve.interval[0])
+        return first, self.ends.value(self.curve.point(first), u)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Profile(Curve):
     """A curve of the section carried to one end of a motion."""
 

@@ -73,7 +73,7 @@ def alike(patches: Sequence[Patch]) -> list[list[Patch]]:
         if (
             first is not None
             and (patch.motion is first.motion and patch.ends is first.ends and patch.pattern is first.pattern)
-            and (patch.curve.at(0.0) is patch.curve and first.curve.at(0.0) is first.curve)
+            and not (patch.curve.varies or first.curve.varies)
         ):
             runs[-1].append(patch)
         else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import gcd
@@ -10,12 +11,12 @@ import numpy as np
 
 from ..arrays import Array
 from ..curves.curve import Curve, along
-from ..motions.ends import End, Ends
+from ..motions.ends import ConstantEnd, End, Ends
 from ..motions.motion import Motion
 from ..sections.loop import Loop
 from ..sections.section import LoopedSection
 from .boundary import Boundary
-from .edge import Edge, EdgeUse, Profile, Rail, Vertex
+from .edge import Edge, EdgeUse, Profile, Rail, VaryingRail, Vertex
 from .faces import Cap, CapLoop, Patch
 from .pattern import ALONE, Pattern
 
@@ -81,12 +82,13 @@ class _SweptLoop:
     def _vertices(self) -> list[list[Vertex]]:
         levels: list[list[Vertex]] = []
         for level, station in enumerate(self._stations):
-            positions = self.motion.place(self._starts, station.value(self._starts))
+            starts = _starts(self._curves[level])
+            positions = self.motion.place(starts, station.value(starts))
             row = [
                 levels[-1][j]
                 if levels and self._stationary(start)
                 else self._vertex(f"{self.name}.{j}.{level}", position)
-                for j, (start, position) in enumerate(zip(self._starts, positions, strict=True))
+                for j, (start, position) in enumerate(zip(starts, positions, strict=True))
             ]
             levels.append(row)
         if self.motion.closed(self.ends):
@@ -94,9 +96,14 @@ class _SweptLoop:
         return levels
 
     @cached_property
-    def _starts(self) -> Array:
-        """Where the curves start (n, d)."""
-        return along(self.loop.curves, np.zeros(1))[0][:, 0]
+    def _curves(self) -> list[tuple[Curve, ...]]:
+        """The curves at each level; families stand between constant ends."""
+        if not any(curve.varies for curve in self.loop.curves):
+            return [self.loop.curves] * len(self._stations)
+        parameters = [station.parameter for station in self._stations if isinstance(station, ConstantEnd)]
+        if len(parameters) != len(self._stations):
+            raise TypeError("a section that varies is swept between constant parameters")
+        return [tuple(curve.at(v) for curve in self.loop.curves) for v in parameters]
 
     def _vertex(self, name: str, position: Array) -> Vertex:
         on_axis = bool(np.all(np.abs(position[:2]) <= _ON_AXIS * np.linalg.norm(position)))
@@ -119,15 +126,21 @@ class _SweptLoop:
             [
                 Edge(
                     name=f"rail {self.name}.{j}.{level}",
-                    curve=Rail(motion=self._motions[level], section_point=tuple(start), ends=span),
+                    curve=self._rail(curve, start, self._motions[level], span),
                     start=self._vertices[level][j],
                     end=self._vertices[level + 1][j],
                     pattern=self._vertices[level][j].pattern,
                 )
-                for j, start in enumerate(self._starts.tolist())
+                for j, (curve, start) in enumerate(zip(self.loop.curves, _starts(self.loop.curves), strict=True))
             ]
             for level, span in enumerate(self._spans)
         ]
+
+    @staticmethod
+    def _rail(curve: Curve, start: Array, motion: Motion, span: Ends) -> Curve:
+        if curve.varies:
+            return VaryingRail(motion=motion, curve=curve, ends=span)
+        return Rail(motion=motion, section_point=tuple(start.tolist()), ends=span)
 
     @cached_property
     def _profiles(self) -> list[list[Edge]]:
@@ -135,7 +148,7 @@ class _SweptLoop:
         for level, station in enumerate(self._stations):
             row = [
                 levels[-1][j] if levels and self._sweeps_nothing(curve) else self._profile(j, curve, level, station)
-                for j, curve in enumerate(self.loop.curves)
+                for j, curve in enumerate(self._curves[level])
             ]
             levels.append(row)
         if self.motion.closed(self.ends):
@@ -184,3 +197,8 @@ class _SweptLoop:
     def chain(self, level: int) -> tuple[EdgeUse, ...]:
         """The profiles at a level, once around one period."""
         return tuple(EdgeUse(edge=edge) for edge in self._profiles[level])
+
+
+def _starts(curves: Sequence[Curve]) -> Array:
+    """Where curves start (n, d)."""
+    return along(curves, np.zeros(1))[0][:, 0]

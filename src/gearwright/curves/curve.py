@@ -22,7 +22,7 @@ class Curve(ABC):
 
     The parameter is one in which the curve is analytic (an involute's roll, not its radius), so that
     Gauss–Legendre quadrature converges exponentially and equal steps are good chords.
-    A family of curves (relief, crowning, taper) overrides `at` and `variation`.
+    A curve that varies along a motion (relief, crowning, taper) is a `Family`.
     """
 
     interval: tuple[float, float]
@@ -44,6 +44,16 @@ class Curve(ABC):
         """d point / dv of the family, (..., d); nought for a constant curve."""
         shape = np.broadcast_shapes(np.shape(u), np.shape(v))
         return np.zeros((*shape, self.start.size))
+
+    @property
+    def varies(self) -> bool:
+        """Whether the curve is not its own member everywhere."""
+        return self.at(0.0) is not self
+
+    def extremes(self, start: float, finish: float) -> tuple[float, ...]:
+        """Parameters of a motion, between two, at which a family turns back; none of a constant curve."""
+        del start, finish
+        return ()
 
     def parameter(self, fraction: ArrayLike) -> Array:
         """Parameter u (...) at a fraction of the interval, 0 at the start and 1 at the end."""
@@ -144,6 +154,9 @@ class Mapped(Curve):
 
     def variation(self, u: ArrayLike, v: ArrayLike) -> Array:
         return self.curve.variation(u, v) @ np.array(self.matrix).T
+
+    def extremes(self, start: float, finish: float) -> tuple[float, ...]:
+        return self.curve.extremes(start, finish)
 
 
 def mapped(curve: Curve, matrix: ArrayLike, offset: ArrayLike = ()) -> Mapped:

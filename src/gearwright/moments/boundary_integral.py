@@ -22,24 +22,25 @@ HIGHEST_ORDER = 3
 
 
 def plane_moments(points: Array, tangents: Array, order: int = 1) -> Array:
-    """m[a, b] = ∫ x^a y^b dA (4, 4) for a + b ≤ 3, nought elsewhere.
+    """m[a, b] = ∫ x^a y^b dA (..., 4, 4) for a + b ≤ 3, nought elsewhere.
 
-    points, tangents   (n, 2)  nodes of the boundary and weighted tangents, counter-clockwise
+    points, tangents   (..., n, 2)  nodes of the boundary and weighted tangents, counter-clockwise
     order              the whole boundary is this many turns about the origin of the part given
     """
-    z = points[:, 0] + 1j * points[:, 1]
-    dz = tangents[:, 0] + 1j * tangents[:, 1]
+    z = points[..., 0] + 1j * points[..., 1]
+    dz = tangents[..., 0] + 1j * tangents[..., 1]
     weight = (np.conj(z) * dz).imag
-    complex_moments = np.zeros((HIGHEST_ORDER + 1, HIGHEST_ORDER + 1), complex)
+    complex_moments = np.zeros((*z.shape[:-1], HIGHEST_ORDER + 1, HIGHEST_ORDER + 1), complex)
     for j in range(HIGHEST_ORDER + 1):
         for k in range(HIGHEST_ORDER + 1 - j):
             if (j - k) % order == 0:
-                complex_moments[j, k] = order * np.sum(z**j * np.conj(z) ** k * weight) / (j + k + 2)
+                integral = np.sum(z**j * np.conj(z) ** k * weight, axis=-1)
+                complex_moments[..., j, k] = order * integral / (j + k + 2)
     return _real_moments(complex_moments)
 
 
 def _real_moments(complex_moments: Array) -> Array:
-    """∫ x^a y^b dA from ∫ z^j z̄^k dA, with x = (z + z̄)/2 and y = (z − z̄)/2i."""
+    """∫ x^a y^b dA from ∫ z^j z̄^k dA (..., 4, 4), with x = (z + z̄)/2 and y = (z − z̄)/2i."""
     moments = np.zeros(complex_moments.shape)
     for a in range(HIGHEST_ORDER + 1):
         for b in range(HIGHEST_ORDER + 1 - a):
@@ -47,8 +48,8 @@ def _real_moments(complex_moments: Array) -> Array:
             for p in range(a + 1):
                 for q in range(b + 1):
                     sign = (-1) ** (b - q)
-                    total += comb(a, p) * comb(b, q) * sign * complex_moments[p + q, a + b - p - q]
-            moments[a, b] = (total / (2**a * (2j) ** b)).real
+                    total = total + comb(a, p) * comb(b, q) * sign * complex_moments[..., p + q, a + b - p - q]
+            moments[..., a, b] = (total / (2**a * (2j) ** b)).real
     return moments
 
 

@@ -30,7 +30,7 @@ def straight_sweep(section: Array, length: float) -> Array:
 def plane_sweep(section: Array, places: Array, axes: Array, elements: Array) -> Array:
     """Moment matrices (n, 4, 4) per unit of the motion's parameter of a plane section moved in any way.
 
-    section    (4, 4)     m[a, b] = ∫ x^a y^b dA about a point of its own, to order 3
+    section    (4, 4) or (n, 4, 4)  m[a, b] = ∫ x^a y^b dA about a point of its own, to order 3; many, if it varies
     places     (n, 3)     where that point is, from the origin of the moments
     axes       (n, 3, 2)  what the motion makes of the section's x and y
     elements   (n, 3)     the volume element J = j₀ + j_x x + j_y y, linear in the section point
@@ -43,14 +43,16 @@ def plane_sweep(section: Array, places: Array, axes: Array, elements: Array) -> 
     transforms[:, 0, 0] = 1.0
     transforms[:, 1:, 0] = places
     transforms[:, 1:, 1:] = axes
-    weighted = np.tensordot(elements, np.stack([_products(m, 0, 0), _products(m, 1, 0), _products(m, 0, 1)]), axes=1)
+    products = np.stack([_products(m, 0, 0), _products(m, 1, 0), _products(m, 0, 1)], axis=-3)
+    weighted = np.einsum("...k,...kij->...ij", elements, products)
     return transforms @ weighted @ np.swapaxes(transforms, 1, 2)
 
 
 def _products(m: Array, a: int, b: int) -> Array:
-    """∫ x^a y^b h hᵀ dA (3, 3) with h = (1, x, y)."""
+    """∫ x^a y^b h hᵀ dA (..., 3, 3) with h = (1, x, y)."""
     powers = ((0, 0), (1, 0), (0, 1))
-    return np.array([[m[a + i + k, b + j + n] for k, n in powers] for i, j in powers])
+    rows = [np.stack([m[..., a + i + k, b + j + n] for k, n in powers], axis=-1) for i, j in powers]
+    return np.stack(rows, axis=-2)
 
 
 def extrusion_sweep(

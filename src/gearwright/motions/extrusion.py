@@ -64,10 +64,12 @@ class Extrusion(ParallelMotion):
         return np.broadcast_to(np.array(self.skew) / self.length, (*np.shape(v), 2)).copy()
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        """In closed form; by quadrature for a section so far from its axis that the closed form loses digits."""
+        """In closed form; by quadrature for a section that varies, or so far off that the closed form loses digits."""
         constants = ends.constants
         if constants is None or not isinstance(section, Section):
             return None
+        if section.varies:
+            return super().moments(section, ends)
         local, centre = section.local_moments, complex(*section.local_moments.origin.tolist())
         gyration = float(local.values[2, 0] + local.values[0, 2]) / local.area
         reach = abs(centre) ** 2 / gyration

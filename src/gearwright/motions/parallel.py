@@ -63,6 +63,10 @@ class ParallelMotion(Motion):
             return None
         return quadrature_moments(self, section, *constants)
 
+    @property
+    def parallel(self) -> bool:
+        return True
+
     def station(self, v: float) -> str:
         return f"height {v:.6g}"
 

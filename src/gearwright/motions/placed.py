@@ -76,6 +76,11 @@ class Placed(Motion):
             return self.motion.rotation_order
         return gcd(self.motion.rotation_order, 2) if self.placement.flips_axis else 1
 
+    @property
+    def parallel(self) -> bool:
+        """That of the motion; its planes are turned with it."""
+        return self.motion.parallel
+
     def closed(self, ends: Ends) -> bool:
         return self.motion.closed(ends)
 

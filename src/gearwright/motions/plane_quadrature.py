@@ -10,6 +10,7 @@ from ..arrays import Array
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.quadrature import adaptive
 from ..moments.sweep import plane_sweep
+from ..sections.members import member_moments
 from ..sections.plane import Section
 from .motion import Motion
 
@@ -24,14 +25,14 @@ def quadrature_moments(
 ) -> BodyMoments:
     """Moments of the section moved from start to finish, where the volume element is linear in the section point.
 
-    Adaptive Gauss–Legendre quadrature of (S1), in its form for planes that are not parallel.
+    Adaptive Gauss–Legendre quadrature of (S1), in its form for planes that are not parallel. Of a section that varies,
+    every station takes the moments of its own member.
     """
-    local = section.local_moments
-    size = section.size
+    size, centre = section.size, section.middle
     # three points that tell the linear volume element
-    corners = local.origin + np.array([[0.0, 0.0], [size, 0.0], [0.0, size]])
+    corners = centre + np.array([[0.0, 0.0], [size, 0.0], [0.0, size]])
     look = np.linspace(start, finish, _LOOK)
-    middle = np.broadcast_to(local.origin, (_LOOK, 2))
+    middle = np.broadcast_to(centre, (_LOOK, 2))
     path = motion.place(middle, look)
     origin = (path.min(axis=0) + path.max(axis=0)) / 2.0
     widest = max(
@@ -40,16 +41,25 @@ def quadrature_moments(
     extent = float(np.max(np.abs(path - origin))) + size * widest
     unit = np.outer([1.0, extent, extent, extent], [1.0, extent, extent, extent])
 
+    section_errors = [section.moments_error]
+
+    def moments(v: Array) -> Array:
+        if not section.varies:
+            return section.local_moments.values
+        values, error = member_moments(section, v)
+        section_errors.append(error)
+        return values
+
     def integrand(v: Array) -> Array:
-        point = np.broadcast_to(local.origin, (len(v), 2))
+        point = np.broadcast_to(centre, (len(v), 2))
         axes = [motion.carry(point, np.broadcast_to(axis, (len(v), 2)), v) for axis in np.eye(2)]
         elements = np.stack([motion.jacobian(np.broadcast_to(corner, (len(v), 2)), v) for corner in corners], axis=1)
         slopes = np.concatenate([elements[:, :1], (elements[:, 1:] - elements[:, :1]) / size], axis=1)
-        return plane_sweep(local.values, motion.place(point, v) - origin, np.stack(axes, axis=-1), slopes) / unit
+        return plane_sweep(moments(v), motion.place(point, v) - origin, np.stack(axes, axis=-1), slopes) / unit
 
     breaks = np.array([start, *motion.panels(start, finish), finish])
     # places far off are rounded, and no refinement mends it
     noise = _ROUNDINGS * float(np.max(np.abs(path))) / extent
     matrix, error, evaluations = adaptive(integrand, breaks, max(tolerance, noise))
-    body = about_centroid(matrix * unit, "exact", error + section.moments_error, origin)
+    body = about_centroid(matrix * unit, "exact", error + max(section_errors), origin)
     return replace(body, evaluations=evaluations)

@@ -57,7 +57,7 @@ class Radial(Motion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
-        if constants is None or not isinstance(section, SphericalSection):
+        if constants is None or not isinstance(section, SphericalSection) or section.varies:
             return None
         start, finish = constants
         matrix = radial_sweep(section.moments, lambda p, j: self.trace.radial_integral(p, j, start, finish))

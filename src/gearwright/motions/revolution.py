@@ -61,7 +61,7 @@ class Revolution(Motion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if constants is None or not isinstance(section, Section) or section.varies:
             return None
         local = section.local_moments
         level = float(local.origin[1])

@@ -15,6 +15,7 @@ from ..surfaces.surface import Surface
 from .ends import End, Ends
 from .motion import Motion
 from .parallel import in_space, level_plane
+from .plane_quadrature import quadrature_moments
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,7 +43,16 @@ class Straight(Motion):
         if constants is None or not isinstance(section, Section):
             return None
         start, finish = constants
+        if section.varies:
+            return quadrature_moments(self, section, start, finish)
         local = section.local_moments
         matrix = straight_sweep(local.values, finish - start)
         middle = np.array([*local.origin, (start + finish) / 2.0])
         return about_centroid(matrix, "exact", section.moments_error, middle)
+
+    @property
+    def parallel(self) -> bool:
+        return True
+
+    def station(self, v: float) -> str:
+        return f"height {v:.6g}"

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve, along
+from ..curves.curve import along, turn
 from ..errors import Problem
 from .loop import Loop
 
@@ -24,11 +24,10 @@ def crossing_problems(loops: Sequence[Loop]) -> list[Problem]:
     Found on chords (straight sides are their own), coarse ones first: what seems to cross is looked at again
     with chords a thousand times closer to the curves.
     """
-    curves = [loop.with_copies(1).curves for loop in loops]
-    looks, _ = along([curve for one in curves for curve in one], np.linspace(0.0, 1.0, _LOOK + 1))
-    size = float(np.ptp(looks.reshape(-1, 2), axis=0).max())
-    coarse = _problem([_chords(one, _COARSE) for one in curves], _DOUBT * _COARSE * size)
-    fine = _problem([_chords(one, _FINE) for one in curves], _DOUBT * _FINE * size) if coarse else None
+    looks = [_all_round(loop, along(loop.curves, np.linspace(0.0, 1.0, _LOOK + 1))[0].reshape(-1, 2)) for loop in loops]
+    size = float(np.ptp(np.concatenate(looks), axis=0).max())
+    coarse = _problem([_chords(loop, _COARSE) for loop in loops], _DOUBT * _COARSE * size)
+    fine = _problem([_chords(loop, _FINE) for loop in loops], _DOUBT * _FINE * size) if coarse else None
     return [fine] if fine else []
 
 
@@ -85,10 +84,17 @@ def _at(rings: Sequence[Array], place: Array) -> list[int]:
     return [i for i, distance in enumerate(distances) if distance <= near]
 
 
-def _chords(curves: Sequence[Curve], tolerance: float) -> Array:
-    """Points (n, 2) along a chain of curves, with chords within the tolerance × size of them."""
+def _all_round(loop: Loop, points: Array) -> Array:
+    """Points (n, 2) of one period of a loop, and after them those of its other periods in turn."""
+    step = loop.sense * 2.0 * np.pi / loop.copies
+    return np.concatenate([points, *(points @ turn(k * step, 2).T for k in range(1, loop.copies))])
+
+
+def _chords(loop: Loop, tolerance: float) -> Array:
+    """Points (n, 2) all round a loop, with chords within the tolerance × size of its curves."""
+    curves = loop.curves
     looks, _ = along(curves, np.linspace(0.0, 1.0, _LOOK + 1))
-    size = float(np.ptp(looks.reshape(-1, 2), axis=0).max())
+    size = float(np.ptp(_all_round(loop, looks.reshape(-1, 2)), axis=0).max())
     sagitta = np.linalg.norm(looks[:, 2:] - 2.0 * looks[:, 1:-1] + looks[:, :-2], axis=-1).max(axis=1) / 8.0
     wanted = _LOOK * np.sqrt(sagitta / (tolerance * size))
     counts = np.where(sagitta <= 1e-15 * size, 1.0, np.clip(2.0 ** np.ceil(np.log2(np.maximum(wanted, 1.0))), 2, _MOST))
@@ -98,4 +104,4 @@ def _chords(curves: Sequence[Curve], tolerance: float) -> Array:
         points, _ = along([curves[int(i)] for i in chosen], np.arange(count) / count)
         for i, piece in zip(chosen, points, strict=True):
             pieces[i] = piece
-    return np.concatenate(pieces)
+    return _all_round(loop, np.concatenate(pieces))

@@ -89,7 +89,10 @@ class Section(LoopedSection):
         return crossing_problems(self.loops)
 
     def require_simple(self) -> None:
-        """Raises GeometryError where loops cross or touch themselves or each other, or holes lie outside."""
+        """Raises GeometryError where loops cross or touch themselves or each other, or holes lie outside.
+
+        Of a section that varies this is the reference; a sweep asks it of the members.
+        """
         if self._crossings:
             raise GeometryError("This is not a section", self._crossings)
 

@@ -18,6 +18,9 @@ from .loop import Loop
 class LoopedSection(ABC):
     """A region bounded by loops: the outer one first and counter-clockwise, holes clockwise.
 
+    A section with families among its curves varies along its motion: moments, middle and all else that takes no
+    parameter are of the reference, and `at` gives the members.
+
     Raises GeometryError where a loop runs the wrong way, or the holes take more than there is.
     """
 
@@ -41,6 +44,11 @@ class LoopedSection(ABC):
             for i, measure in enumerate(measures)
             if measure == 0.0 or (measure > 0.0) != (i == 0)
         ]
+
+    @cached_property
+    def varies(self) -> bool:
+        """Whether the section is another one at other parameters of its motion."""
+        return any(curve.varies for loop in self.loops for curve in loop.curves)
 
     @abstractmethod
     def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:

@@ -14,13 +14,15 @@ from ..motions.motion import Motion
 from ..sections.section import LoopedSection
 from .inversions import inversions
 from .solid import Solid, flux_moments
+from .varying import varying_problems
 
 
 @dataclass(frozen=True, kw_only=True)
 class Swept(Solid):
     """A section moved by a motion between ends.
 
-    Raises GeometryError where the ends do not go with the motion, or the motion turns the section inside out.
+    Raises GeometryError where the ends do not go with the motion, the motion turns the section inside out, or a section
+    that varies falls apart on the way.
     """
 
     section: LoopedSection
@@ -29,9 +31,13 @@ class Swept(Solid):
 
     def __post_init__(self) -> None:
         refusal = self.motion.refusal(self.ends)
-        problems = [Problem("the ends", refusal)] if refusal else inversions(self.section, self.motion, self.ends)
+        problems = [Problem("the ends", refusal)] if refusal else self._problems()
         if problems:
             raise GeometryError("The section cannot be swept so", problems)
+
+    def _problems(self) -> list[Problem]:
+        varying = varying_problems(self.section, self.motion, self.ends) if self.section.varies else []
+        return varying or inversions(self.section, self.motion, self.ends)
 
     @cached_property
     def boundary(self) -> Boundary:
