@@ -329,6 +329,7 @@ REFUSED = [
     ({"web_hole_circle": 49.0}, "web_hole_circle", ("more than 50 mm (hub)",)),
     ({"web_hole_diameter": 24.0}, "web_hole_diameter", ("run into the rim", "less than 23 mm", "6 on a circle of 73")),
     ({"web_hole_circle": 60.0}, "web_hole_diameter", ("run into the hub", "less than 10 mm")),
+    ({"bore": 1e-8, "keyway": None}, "bore", ("rounding", "at least 1.1", "e-07 mm", "right unit")),
     ({"web_hole_diameter": 1e-8}, "web_hole_diameter", ("rounding", "at least 7.30", "e-08 mm")),
     ({"web_holes": 20}, "web_hole_diameter", ("run into the next hole", "less than 11.41 mm")),
 ]

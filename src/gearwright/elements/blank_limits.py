@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 Found = Iterator[tuple[str, str]]
 
 _STANDARD = "din-6885"
-_LEAST_HOLE = 1e-9  # of their circle's diameter: smaller holes would lose half of their digits
+_LEAST_HOLE = 1e-9  # of the diameter around it: a smaller one would lose half of its digits
 
 
 def blank_problems(blank: Blank, root_diameter: float, face_width: float) -> list[tuple[str, str]]:
@@ -78,6 +78,8 @@ def _walls(blank: Blank, root_diameter: float, face_width: float) -> Found:
     unit, core = blank.length_unit, 2.0 * blank.core_radius
     if blank.bore is not None and blank.bore >= root_diameter:
         yield "bore", refusals.bore_in_roots("root diameter", root_diameter, unit)
+    elif blank.bore is not None and blank.bore < _LEAST_HOLE * root_diameter:
+        yield "bore", refusals.lost_hole(_LEAST_HOLE * root_diameter, unit)
     elif core >= root_diameter:
         yield _of_keyway(blank), refusals.keyway_in_roots(core, root_diameter, unit)
     if blank.hub_diameter is not None:
@@ -146,8 +148,7 @@ def _holes(blank: Blank, root_diameter: float, face_width: float) -> Found:
         limits["next hole"] = circle * float(np.sin(np.pi / holes.count))
     nearest = min(limits, key=lambda name: limits[name])
     if 2.0 * holes.radius < _LEAST_HOLE * circle:
-        least = f"{rounded_up(_LEAST_HOLE * circle)} {unit}"
-        yield "web_hole_diameter", f"lost in the rounding of where the holes are; at least {least}"
+        yield "web_hole_diameter", refusals.lost_hole(_LEAST_HOLE * circle, unit)
     elif 2.0 * holes.radius >= limits[nearest]:
         limit = f"{rounded_down(limits[nearest])} {unit} for {holes.count} on a circle of {circle:.4g} {unit}"
         yield "web_hole_diameter", f"the holes would run into the {nearest}; less than {limit}"

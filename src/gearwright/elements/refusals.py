@@ -47,6 +47,11 @@ def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
     )
 
 
+def lost_hole(limit: float, unit: str) -> str:
+    """A hole is lost in the rounding of what is around it."""
+    return f"lost in the rounding of the sizes around it; at least {rounded_up(limit)} {unit}, and is it in the right unit?"
+
+
 def in_roots(what: str, limit: float, unit: str) -> str:
     """A part of the blank reaches the root diameter."""
     return f"the {what} reaches the tooth roots; less than the root diameter, {rounded_down(limit)} {unit}"
