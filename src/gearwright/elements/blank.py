@@ -7,9 +7,10 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 
 from ..parameters import MILLIMETRES, Size
+from ..sections.loop import Loop
 from ..solids.solid import Solid
 from .blank_limits import blank_problems
-from .blank_pieces import HoleCircle, Zone, assembled, zones
+from .blank_pieces import HoleCircle, Zone, assembled, circle, zones
 from .keyway import KeyedBore
 from .standards.din_6885 import parallel_key
 
@@ -99,6 +100,13 @@ class Blank:
     def hub_levels(self, face_width: float) -> tuple[float, float]:
         """From which to which z the hub reaches."""
         return -self.hub_offset, (face_width if self.hub_length is None else self.hub_length) - self.hub_offset
+
+    def holes(self) -> tuple[Loop, ...]:
+        """Outlines of the bore with its keyway and of the web's holes, clockwise, across the axis."""
+        web = () if self.hole_circle is None else self.hole_circle.loops()
+        if self.keyed_bore is not None:
+            return (self.keyed_bore.loop(), *web)
+        return web if self.bore is None else (circle(self.bore / 2.0, -1), *web)
 
     def sizes(self) -> dict[str, Size]:
         """Sizes that follow from others: of the standard's keyway, and of the circle of the holes."""

@@ -55,7 +55,7 @@ class HoleCircle:
         """The holes' outlines, clockwise."""
         angles = 2.0 * np.pi * np.arange(self.count) / self.count
         centres = (self.circle * np.stack([np.cos(angles), np.sin(angles)], axis=1)).tolist()
-        return tuple(_circle(self.radius, -1, (x, y)) for x, y in centres)
+        return tuple(circle(self.radius, -1, (x, y)) for x, y in centres)
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ def _web(holes: HoleCircle, body: Sequence[Zone]) -> _Feature:
     where = next(k for k, zone in enumerate(body) if zone.inner <= holes.innermost)
 
     def build(outer: float | None, inner: float) -> Solid:
-        within = (_circle(inner, -1),) if inner else ()
+        within = (circle(inner, -1),) if inner else ()
         return _prism(outer, body[where], (*within, *holes.loops()))
 
     return _Feature(holes.outermost, holes.innermost, where, build)
@@ -161,7 +161,7 @@ def _hub(keyed: KeyedBore, body: Sequence[Zone]) -> _Feature:
 
 
 def _prism(outer: float | None, zone: Zone, holes: Sequence[Loop]) -> Swept:
-    section = Section(loops=(_circle(outer or zone.outer, 1), *holes))
+    section = Section(loops=(circle(outer or zone.outer, 1), *holes))
     return Swept(section=section, motion=Straight(), ends=between(zone.low, zone.high))
 
 
@@ -179,5 +179,5 @@ def _step(outer: float, inner: float, body: Sequence[Zone]) -> _Piece:
     return _Piece(swept, f"loop 1.{len(tops) + 3}")
 
 
-def _circle(radius: float, sense: int, centre: tuple[float, float] = (0.0, 0.0)) -> Loop:
+def circle(radius: float, sense: int, centre: tuple[float, float] = (0.0, 0.0)) -> Loop:
     return Loop(curves=(Arc(radius=radius, centre=centre, interval=(0.0, sense * FULL_TURN)),))

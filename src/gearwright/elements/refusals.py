@@ -49,7 +49,7 @@ def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
 
 def lost_hole(limit: float, unit: str) -> str:
     """A hole is lost in the rounding of what is around it."""
-    return f"lost in the rounding of the sizes around it; at least {rounded_up(limit)} {unit}, and is it in the right unit?"
+    return f"lost in the rounding of the sizes around it; at least {rounded_up(limit)} {unit}; is it in the right unit?"
 
 
 def in_roots(what: str, limit: float, unit: str) -> str:

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ...curves.polynomial import Polynomial, parabola
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
 from .. import declarations as d
@@ -19,6 +20,7 @@ from .external_tooth import ExternalTooth
 from .flank import Relief
 from .internal_tooth import InternalTooth
 from .sizes import inspection_sizes, toothing_sizes
+from .tooth_checks import check_crowning
 from .toothing import Toothing
 
 _RELIEF_HEIGHT = 0.6  # modules: relief that leaves some two thirds of a usual flank unrelieved
@@ -67,6 +69,11 @@ class CylindricalGear(Element):
         if problems.computable(*_NUMBERS, *self._more_numbers) and problems.sound("module"):
             self._check_teeth(problems)
             if problems.sound():
+                for name, message in check_crowning(
+                    self.tooth, self.crowning / self.toothing.base_radius, self.length_unit
+                ):
+                    problems.add(name, message)
+            if problems.sound():
                 self._check_measured(problems)
         problems.raise_any()
 
@@ -93,7 +100,7 @@ class CylindricalGear(Element):
     @property
     @abstractmethod
     def profile(self) -> Section:
-        """The transverse section at z = 0."""
+        """The transverse section at z = 0, without crowning."""
 
     @property
     @abstractmethod
@@ -186,6 +193,13 @@ class CylindricalGear(Element):
         height = _RELIEF_HEIGHT * self.normal_module if self.tip_relief_height is None else self.tip_relief_height
         begin = toothing.tip_radius - toothing.outward * (self.tip_chamfer + height)
         return Relief(amount=self.tip_relief, begin=begin, power=1 if self.tip_relief_form == "linear" else 2)
+
+    @property
+    def crown(self) -> Polynomial | None:
+        """The angle by which crowned flanks turn into their teeth, by z: C_β (2z/b − 1)²/r_b, which is exact."""
+        if not self.crowning:
+            return None
+        return parabola(self.crowning / self.toothing.base_radius, 0.0, self.face_width)
 
     @property
     def twist(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 from ...motions.ends import between
@@ -14,11 +14,15 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
+from ..blank import Blank
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
 from .sizes import span_sizes, spans, usual_span
 from .tooth_checks import check_external
+
+_ROOM = 0.99  # of the largest tip radius where flanks are crowned: their roots need a land that can grow
+_OF_THE_BLANK = tuple(field.name for field in fields(Blank))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,6 +33,17 @@ class ExternalGear(CylindricalGear):
     rack_tip_coefficient: float | None = declared(d.RACK_TIP_COEFFICIENT, default=None)
     span_teeth: int | None = declared(d.SPAN_TEETH, default=None)
     bore: float | None = declared(d.BORE, default=None)
+    keyway: str | None = declared(d.KEYWAY, default=None)
+    keyway_width: float | None = declared(d.KEYWAY_WIDTH, default=None)
+    keyway_depth: float | None = declared(d.KEYWAY_DEPTH, default=None)
+    hub_diameter: float | None = declared(d.HUB_DIAMETER, default=None)
+    hub_length: float | None = declared(d.HUB_LENGTH, default=None)
+    hub_offset: float = declared(d.HUB_OFFSET, default=0.0)
+    rim_diameter: float | None = declared(d.RIM_DIAMETER, default=None)
+    web_thickness: float | None = declared(d.WEB_THICKNESS, default=None)
+    web_holes: int | None = declared(d.WEB_HOLES, default=None)
+    web_hole_diameter: float | None = declared(d.WEB_HOLE_DIAMETER, default=None)
+    web_hole_circle: float | None = declared(d.WEB_HOLE_CIRCLE, default=None)
 
     @property
     def is_internal(self) -> bool:
@@ -56,10 +71,9 @@ class ExternalGear(CylindricalGear):
             self.tooth, self.nominal_thickness, self.circular_thickness is not None, self.length_unit
         ):
             problems.add(self._given_as(name), message)
-        if problems.sound("dedendum", "dedendum_coefficient", "bore") and self.bore is not None:
-            limit = 2.0 * self.toothing.root_radius
-            if self.bore >= limit:
-                problems.add("bore", refusals.bore_in_roots("root diameter", limit, self.length_unit))
+        if self.toothing.root_radius > 0.0 and problems.computable(*_OF_THE_BLANK):
+            for name, message in self.blank.problems(2.0 * self.toothing.root_radius, self.face_width):
+                problems.add(name, message)
 
     def _given_as(self, name: str) -> str:
         """The parameter by which a size of the tooth was given."""
@@ -92,22 +106,28 @@ class ExternalGear(CylindricalGear):
             return self.rack_tip_coefficient * self.normal_module
         usual = self.rack.tip_radius * self.normal_module
         largest = GeneratedFillet(toothing=self.toothing, tip_radius=usual).rack_tip.largest_radius
-        return min(usual, largest) if largest > 0.0 else usual
+        return min(usual, largest * (_ROOM if self.crowning else 1.0)) if largest > 0.0 else usual
 
     @property
     def profile(self) -> Section:
-        """The transverse section at z = 0."""
-        return self.tooth.section(None if self.bore is None else self.bore / 2.0)
+        """The transverse section through teeth, web and hub, without crowning."""
+        return Section(loops=(self.tooth.outline(), *self.blank.holes()))
+
+    @property
+    def blank(self) -> Blank:
+        """What is inside the teeth."""
+        return Blank.of(self)
 
     def ring(self, hole_radius: float | None) -> Solid:
         """The teeth and what is below them, down to a round hole."""
-        return Swept(section=self.tooth.section(hole_radius), motion=self.motion, ends=between(0.0, self.face_width))
+        section = self.tooth.section(hole_radius, self.crown)
+        return Swept(section=section, motion=self.motion, ends=between(0.0, self.face_width))
 
     @cached_property
     def solid(self) -> Solid:
-        return self.ring(None if self.bore is None else self.bore / 2.0)
+        return self.blank.solid(self.ring, self.toothing.root_radius, self.face_width)
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
         teeth = usual_span(self.tooth) if self.span_teeth is None else self.span_teeth
-        return {**super().sizes(), **({} if teeth is None else span_sizes(self.tooth, teeth))}
+        return {**super().sizes(), **({} if teeth is None else span_sizes(self.tooth, teeth)), **self.blank.sizes()}

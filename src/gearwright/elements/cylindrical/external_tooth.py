@@ -11,9 +11,11 @@ from ...arrays import Array, ArrayLike
 from ...curves.arc import Arc
 from ...curves.curve import Curve, mapped, turn
 from ...curves.line import Line
+from ...curves.polynomial import Polynomial
 from ...sections.loop import Loop
 from ...sections.plane import Section
 from ..gear_loop import NEXT_TO_NOTHING, gear_loop
+from .crowning import crowned, crowned_arc
 from .flank import Flank, Relief
 from .generated_fillet import GeneratedFillet
 from .toothing import Toothing
@@ -67,23 +69,26 @@ class ExternalTooth:
             return on_involute
         return np.where(r < self.form_radius, self.fillet.half_angle(np.minimum(r, self.form_radius)), on_involute)
 
-    def section(self, hole_radius: float | None = None) -> Section:
-        """The gear's section, full or with a round hole."""
-        outline = self.outline()
+    def section(self, hole_radius: float | None = None, crowning: Polynomial | None = None) -> Section:
+        """The gear's section, full or with a round hole; flanks turn into the teeth by a crowning, radians."""
+        outline = self.outline(crowning)
         if hole_radius is None:
             return Section(loops=(outline,))
         pitch = 2.0 * np.pi / self.toothing.teeth
         hole = Loop(curves=(Arc(radius=hole_radius, interval=(0.0, -pitch)),), copies=self.toothing.teeth)
         return Section(loops=(outline, hole))
 
-    def outline(self) -> Loop:
+    def outline(self, crowning: Polynomial | None = None) -> Loop:
         """The loop of all teeth."""
         toothing = self.toothing
-        pitch, tip, gap = 2.0 * np.pi / toothing.teeth, self.flank.tip_half, self.root_space / 2.0
+        middle, tip, gap = np.pi / toothing.teeth, self.flank.tip_half, self.root_space / 2.0
+        has_land = gap > NEXT_TO_NOTHING
         return gear_loop(
-            rising=[*self._foot(), *self.flank.curves()],
-            tip=Arc(radius=toothing.tip_radius, interval=(-tip, tip)),
-            root=Arc(radius=toothing.root_radius, interval=(pitch / 2.0 - gap, pitch / 2.0 + gap)) if gap else None,
+            rising=crowned([*self._foot(), *self.flank.curves()], crowning),
+            tip=crowned_arc(toothing.tip_radius, (-tip, tip), crowning),
+            root=crowned_arc(toothing.root_radius, (middle + gap, middle - gap), crowning).reversed()
+            if has_land
+            else None,
             teeth=toothing.teeth,
         )
 

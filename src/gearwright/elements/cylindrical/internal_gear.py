@@ -101,12 +101,13 @@ class InternalGear(CylindricalGear):
 
     @property
     def profile(self) -> Section:
-        """The transverse section at z = 0."""
+        """The transverse section at z = 0, without crowning."""
         return self.tooth.section(self.outer_radius)
 
     @cached_property
     def solid(self) -> Solid:
-        return Swept(section=self.profile, motion=self.motion, ends=between(0.0, self.face_width))
+        section = self.tooth.section(self.outer_radius, self.crown)
+        return Swept(section=section, motion=self.motion, ends=between(0.0, self.face_width))
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""

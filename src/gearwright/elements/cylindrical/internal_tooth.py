@@ -11,9 +11,11 @@ from scipy.optimize import brentq
 from ...arrays import Array, ArrayLike
 from ...curves.arc import Arc
 from ...curves.curve import Curve, mapped, turn
+from ...curves.polynomial import Polynomial
 from ...sections.loop import Loop
 from ...sections.plane import Section
-from ..gear_loop import gear_loop
+from ..gear_loop import NEXT_TO_NOTHING, gear_loop
+from .crowning import crowned, crowned_arc
 from .flank import Flank, Relief
 from .toothing import Toothing
 
@@ -87,21 +89,22 @@ class InternalTooth:
         cosine = (radius**2 + to_centre**2 - rho**2) / (2.0 * radius * to_centre)
         return self.root_half + np.arccos(np.minimum(cosine, 1.0))
 
-    def section(self, outer_radius: float) -> Section:
-        """The ring's section, inside a circle."""
+    def section(self, outer_radius: float, crowning: Polynomial | None = None) -> Section:
+        """The ring's section, inside a circle; flanks turn into the teeth by a crowning, radians."""
         pitch = 2.0 * np.pi / self.toothing.teeth
         rim = Loop(curves=(Arc(radius=outer_radius, interval=(0.0, pitch)),), copies=self.toothing.teeth)
-        return Section(loops=(rim, self.outline()))
+        return Section(loops=(rim, self.outline(crowning)))
 
-    def outline(self) -> Loop:
+    def outline(self, crowning: Polynomial | None = None) -> Loop:
         """The loop of all teeth, clockwise as a hole."""
         toothing, root, space = self.toothing, self.root_half, self.flank.tip_half
         pitch = 2.0 * np.pi / toothing.teeth
+        into_space = None if crowning is None else -crowning
         flank = [curve.reversed() for curve in reversed(self.flank.curves())]
         spaces = gear_loop(
-            rising=[*flank, *self._fillet()],
-            tip=Arc(radius=toothing.root_radius, interval=(-root, root)) if root else None,
-            root=Arc(radius=toothing.tip_radius, interval=(space, pitch - space)),
+            rising=crowned([*flank, *self._fillet()], into_space),
+            tip=crowned_arc(toothing.root_radius, (-root, root), into_space) if root > NEXT_TO_NOTHING else None,
+            root=crowned_arc(toothing.tip_radius, (pitch - space, space), into_space).reversed(),
             teeth=toothing.teeth,
         )
         half_turn = turn(pitch / 2.0, 2)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...parameters import rounded_down
 from .. import refusals
+from ..gear_loop import NEXT_TO_NOTHING
 from .external_tooth import ExternalTooth
 from .internal_tooth import InternalTooth
 from .toothing import Toothing
@@ -91,6 +92,16 @@ def _external_tip(tooth: ExternalTooth, unit: str) -> Iterator[Found]:
     toothing = tooth.toothing
     if toothing.tip_radius >= toothing.pointed_radius:
         yield "addendum", refusals.pointed_tooth(toothing.pointed_radius - toothing.pitch_radius, unit)
+
+
+def check_crowning(tooth: ExternalTooth | InternalTooth, angle: float, unit: str) -> Iterator[Found]:
+    """What is wrong with flanks that turn into the tooth by so much (radians) at the ends of the face."""
+    half = tooth.tip_half if isinstance(tooth, InternalTooth) else tooth.flank.tip_half
+    if angle >= half:
+        limit = half * tooth.toothing.base_radius
+        yield "crowning", f"leaves nothing of the tips at the ends; less than {rounded_down(limit)} {unit}"
+    elif angle and (tooth.root_half if isinstance(tooth, InternalTooth) else tooth.root_space) <= NEXT_TO_NOTHING:
+        yield "crowning", "needs a land at the root, however narrow; take a smaller radius of the fillets"
 
 
 def check_internal(tooth: InternalTooth, nominal_thickness: float, unit: str) -> list[Found]:
