@@ -180,4 +180,5 @@ def _step(outer: float, inner: float, body: Sequence[Zone]) -> _Piece:
 
 
 def circle(radius: float, sense: int, centre: tuple[float, float] = (0.0, 0.0)) -> Loop:
+    """A whole circle, counter-clockwise for sense +1."""
     return Loop(curves=(Arc(radius=radius, centre=centre, interval=(0.0, sense * FULL_TURN)),))

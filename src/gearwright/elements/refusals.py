@@ -49,7 +49,8 @@ def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
 
 def lost_hole(limit: float, unit: str) -> str:
     """A hole is lost in the rounding of what is around it."""
-    return f"lost in the rounding of the sizes around it; at least {rounded_up(limit)} {unit}; is it in the right unit?"
+    least = f"at least {rounded_up(limit)} {unit}"
+    return f"lost in the rounding of the sizes around it; {least}, and is it in the right unit?"
 
 
 def in_roots(what: str, limit: float, unit: str) -> str:

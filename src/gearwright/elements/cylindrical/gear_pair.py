@@ -255,7 +255,8 @@ class GearPair(Pair):
     def description(self) -> str:
         """A few words that tell this pair from others."""
         helix = f", β = {self.helix_angle:g}°" if self.helix_angle else ""
-        return f"{self.teeth[0]}/{self.teeth[1]} teeth, {self.kind}{helix}, a = {self.mesh.centre_distance:.5g}"
+        distance = f"a = {self.mesh.centre_distance:.5g} {self.length_unit}"
+        return f"{self.teeth[0]}/{self.teeth[1]} teeth, {self.kind}{helix}, {distance}"
 
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""
