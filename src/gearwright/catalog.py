@@ -23,6 +23,7 @@ class Element:
     command   the subcommand of the command line that builds it
     members   how many parts it has: 1, or 2 for a pair
     origin    what is at the origin of a part's frame
+    plane     whether it has a plane section, which can be drawn
     """
 
     name: str
@@ -31,6 +32,7 @@ class Element:
     command: str
     origin: str
     members: Literal[1, 2] = 1
+    plane: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,6 +77,7 @@ ELEMENTS = (
         source="gearwright.elements.spur_gear:SpurGear",
         command="spur",
         origin="on the axis, +z, at one end of the teeth",
+        plane=True,
     ),
     Element(
         name="sweep",
@@ -83,6 +86,7 @@ ELEMENTS = (
         command="sweep",
         origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
         " its axis, +z",
+        plane=True,
     ),
 )
 

@@ -10,6 +10,7 @@ import numpy as np
 from ..motions.ends import between
 from ..motions.straight import Straight
 from ..parameters import Problems, Size, declared, rounded_down
+from ..sections.plane import Section
 from ..solids.solid import Solid
 from ..solids.swept import Swept
 from . import declarations as d
@@ -129,10 +130,14 @@ class SpurGear(Element):
         return f"z = {self.teeth}, m = {self.transverse_module:.4g} {self.length_unit}"
 
     @cached_property
+    def profile(self) -> Section:
+        """The transverse section, bored where the gear is."""
+        return self.tooth.section(None if self.bore is None else self.bore / 2.0)
+
+    @cached_property
     def solid(self) -> Solid:
         """The section extruded over the face width."""
-        section = self.tooth.section(None if self.bore is None else self.bore / 2.0)
-        return Swept(section=section, motion=Straight(), ends=between(0.0, self.face_width))
+        return Swept(section=self.profile, motion=Straight(), ends=between(0.0, self.face_width))
 
     def sizes(self) -> dict[str, Size]:
         """Diameters and thicknesses."""
