@@ -14,7 +14,7 @@ from .listing import place
 
 _NODES = 16  # of arc lengths, and of the places where a curve and its cubic are compared
 _STEPS = 6  # of Newton's method to the foot of a perpendicular
-_DEEPEST = 40
+_MOST_PIECES, _SHORTEST = 2000, 1e-12  # of one curve; and the shortest one, of its interval
 _STANDSTILL = 1e-6  # of the mean speed: where a curve all but stands still, its direction is looked for just beside
 _BESIDE = 2.0**-32  # of the interval
 _LEVEL = 1e-3  # sine between end tangents below which they say nothing about the middle
@@ -29,25 +29,27 @@ def cubics_along(curve: Curve, tolerance: float) -> Array:
     are halved until they are near enough to their cubics.
     Raises GeometryError where halving does not help.
     """
-    cuts = [0.0, *curve.panels, 1.0]
-    pieces = [piece for a, b in pairwise(cuts) for piece in _halved(curve, a, b, tolerance, _DEEPEST)]
-    return np.array(pieces)
+    left = [*pairwise((0.0, *curve.panels, 1.0))][::-1]
+    found: list[Array] = []
+    while left:
+        a, b = left.pop()
+        choices = _cubics(curve, a, b)
+        deviations = [_deviation(curve, a, b, control) for control in choices]
+        if min(deviations) <= _SHARE * tolerance:
+            found.append(choices[int(np.argmin(deviations))])
+            continue
+        middle = (a + b) / 2.0
+        left += [(middle, b), (a, middle)]
+        if len(found) + len(left) > _MOST_PIECES or b - a <= _SHORTEST:
+            raise GeometryError("The section cannot be drawn", [_refusal(curve, a, tolerance)])
+    return np.array(found)
 
 
-def _halved(curve: Curve, a: float, b: float, tolerance: float, depth: int) -> list[Array]:
-    choices = _cubics(curve, a, b)
-    deviations = [_deviation(curve, a, b, control) for control in choices]
-    if min(deviations) <= _SHARE * tolerance:
-        return [choices[int(np.argmin(deviations))]]
-    if not depth:
-        where = place(curve.point(curve.parameter(a)))
-        problem = Problem(
-            f"{type(curve).__name__} at {where}",
-            f"no spline comes within {tolerance:.3g} of it; give a coarser tolerance, or a smoother curve",
-        )
-        raise GeometryError("The section cannot be drawn", [problem])
-    middle = (a + b) / 2.0
-    return [*_halved(curve, a, middle, tolerance, depth - 1), *_halved(curve, middle, b, tolerance, depth - 1)]
+def _refusal(curve: Curve, fraction: float, tolerance: float) -> Problem:
+    return Problem(
+        f"{type(curve).__name__} at {place(curve.point(curve.parameter(fraction)))}",
+        f"no spline of {_MOST_PIECES} pieces comes within {tolerance:.3g}; give a coarser tolerance or a smoother curve",
+    )
 
 
 def _cubics(curve: Curve, a: float, b: float) -> list[Array]:
