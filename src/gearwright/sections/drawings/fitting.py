@@ -48,7 +48,7 @@ def cubics_along(curve: Curve, tolerance: float) -> Array:
 def _refusal(curve: Curve, fraction: float, tolerance: float) -> Problem:
     return Problem(
         f"{type(curve).__name__} at {place(curve.point(curve.parameter(fraction)))}",
-        f"no spline of {_MOST_PIECES} pieces comes within {tolerance:.3g}; give a coarser tolerance or a smoother curve",
+        f"no spline of {_MOST_PIECES} pieces comes within {tolerance:.3g}; take a coarser one, or a smoother curve",
     )
 
 
