@@ -74,7 +74,8 @@ def _add_round(space: Modelspace, arc: Round, attributes: dict[str, Any]) -> Non
     first, last = (arc.first, arc.first + arc.sweep)[:: 1 if arc.sweep > 0.0 else -1]
     centre = _xy(arc.centre)
     if not arc.circular:
-        first, last = (0.0, 2.0 * np.pi) if arc.whole else (first, last)
+        first = 0.0 if arc.whole else first % (2.0 * np.pi)
+        last = 2.0 * np.pi if arc.whole else first + abs(arc.sweep)
         space.add_ellipse(centre, _xy(arc.major), arc.ratio, first, last, attributes)
     elif arc.whole:
         space.add_circle(centre, float(arc.major[0]), attributes)
