@@ -22,8 +22,10 @@ from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.sections import drawings
+from gearwright.sections.drawings.chains import JOINT
 from gearwright.sections.drawings.fitting import cubics_along
-from gearwright.sections.drawings.writing import TOLERANCE
+from gearwright.sections.drawings.writing import FINEST, TOLERANCE
+from gearwright.sections.loop import Loop
 
 from .drawn import section_moments
 
@@ -82,6 +84,22 @@ def mirrored_oval():
     return gw.Section.outline(closed_by_line(mapped(oval, turn(0.4, 2, mirrored=True))))
 
 
+def image_of_an_image():
+    """Half a disc under two maps that do not commute, the inner one with an offset; and its chord."""
+    inner = mapped(Arc(radius=2.0, centre=(1.0, 0.0), interval=(0.0, 3.0)), [[2.0, 0.3], [0.0, 1.0]], (3.0, -1.0))
+    return gw.Section.outline(closed_by_line(mapped(inner, turn(1.1, 2), (0.5, 4.0))))
+
+
+def repeated_sides():
+    """A hexagon by one of its sides, and a hole like a pinwheel by a third of it, thirds following clockwise."""
+    corner = np.array([5.0, 0.0])
+    side = line(corner, turn(np.pi / 3, 2) @ corner)
+    tip, notch, following = 0.6 * corner, np.array([1.0, 0.5]), 0.6 * turn(-2 * np.pi / 3, 2) @ corner
+    notch = turn(-np.pi / 3, 2) @ notch
+    third = (line(tip, notch), line(notch, following))
+    return gw.Section(loops=(Loop(curves=(side,), copies=6), Loop(curves=third, copies=3)))
+
+
 SECTIONS = {
     "gear with radial roots and a bore": bored_gear(),
     "gear with its roots above the base circle": gw.SpurGear(
@@ -92,9 +110,11 @@ SECTIONS = {
     "polygon with holes": gw.Section.polygon(
         [(-10, -6), (10, -6), (12, 7), (-8, 6)], [[(-6, -2), (-3, -2), (-3, 2)], [(2, -2), (6, -2), (6, 2), (2, 2)]]
     ),
+    "repeated sides": repeated_sides(),
     "spline": gw.Section.spline([(2, 0), (1, 1.5), (-1, 1), (-2, -0.5), (0, -1)]),
     "mixed": mixed(),
     "mirrored oval": mirrored_oval(),
+    "image of an image": image_of_an_image(),
     "quintic": gw.Section.outline(closed_by_line(quintic())),
     "rational": gw.Section.outline(closed_by_line(rational())),
     "part of a rational, backwards": gw.Section.outline(closed_by_line(rational(0.9, 0.2))),
@@ -103,7 +123,17 @@ SECTIONS = {
 
 EXACT = {
     ".dxf": set(SECTIONS) - {"gear with radial roots and a bore", "gear with its roots above the base circle"},
-    ".svg": {"stadium", "far stadium", "polygon with holes", "spline", "mixed", "mirrored oval", "tiny disc"},
+    ".svg": {
+        "stadium",
+        "far stadium",
+        "polygon with holes",
+        "spline",
+        "mixed",
+        "mirrored oval",
+        "repeated sides",
+        "image of an image",
+        "tiny disc",
+    },
 }
 """Sections that the format holds without a tolerance."""
 
@@ -302,6 +332,15 @@ class TestEntities:
         ]
         assert Counter(e.dxftype() for e in space_of(saved(gw.Section.outline(lens), tmp_path, ".dxf"))) == {"ARC": 2}
 
+    def test_cubics_with_a_corner_between_stay_apart(self, tmp_path):
+        """The corner is of 0.6°; without it they are one SPLINE."""
+        for corner, kinds in ((0.0, {"SPLINE": 1, "LINE": 1}), (0.01, {"SPLINE": 2, "LINE": 1})):
+            first = Bezier(control=((0.0, 0.0), (0.5, 1.0), (2.0, 2.0), (3.0, 2.0)))
+            second = Bezier(control=((3.0, 2.0), (4.0, 2.0 - corner), (6.0, 1.0), (6.0, 0.0)))
+            chain = [first, second, line(second.end, first.start)]
+            path = saved(gw.Section.outline(chain), tmp_path, ".dxf")
+            assert Counter(e.dxftype() for e in space_of(path)) == kinds
+
     @pytest.mark.parametrize("name", [name for name in SECTIONS if "far" not in name])
     def test_ends_meet_to_the_last_bit(self, tmp_path, name):
         """As ezdxf computes those of arcs; every end is shared by two entities. Ellipses' ends are rounded."""
@@ -319,7 +358,7 @@ class TestEntities:
                 case _:
                     both = []
             ends.update((float(p[0]), float(p[1])) for p in both)
-        if name in ("mixed", "mirrored oval"):
+        if name in ("mixed", "mirrored oval", "image of an image"):
             ends = Counter((round(x, 12), round(y, 12)) for x, y in ends.elements())
         assert set(ends.values()) <= {2}
 
@@ -363,6 +402,11 @@ class TestFitting:
         first = control[0, 1] - control[0, 0]
         assert first[0] > 0.0
         assert abs(first[1]) <= 1e-9 * first[0]
+
+    def test_the_finest_pieces_at_a_cusp_are_longer_than_the_gaps_that_readers_close(self):
+        control = cubics_along(Involute(base_radius=1.0, interval=(0.0, 0.6)), FINEST)
+        lengths = np.linalg.norm(control[:, 3] - control[:, 0], axis=1)
+        assert lengths.min() > 2.0 * 2.0 * JOINT  # in a drawing two base radii wide, with as much to spare
 
     def test_the_pieces_join_in_point_and_direction(self):
         control = cubics_along(Involute(base_radius=2.0, interval=(0.9, 0.1)), 1e-8)
@@ -439,10 +483,10 @@ class TestSheets:
     @every_format
     def test_profiles_stand_on_their_layers_where_they_are_put(self, tmp_path, suffix):
         """A pair in mesh: no distance between the pitch circles, and the mate turned by half a pitch."""
-        small, large = (gw.SpurGear(teeth=z, module=2.0, face_width=5.0, bore=8.0) for z in (14, 21))
+        small, large = (gw.SpurGear(teeth=z, module=2.0, face_width=5.0, bore=8.0) for z in (14, 20))
         centre = small.pitch_radius + large.pitch_radius
         mate = drawings.Profile(
-            section=large.profile, layer="gear & mate", turn=np.pi + np.pi / 21, shift=(centre, 0.0)
+            section=large.profile, layer="gear & mate", turn=np.pi + np.pi / 20, shift=(centre, 0.0)
         )
         path = tmp_path / f"pair{suffix}"
         drawings.write(path, [drawings.Profile(section=small.profile, layer="pinion"), mate])
