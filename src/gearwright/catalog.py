@@ -25,6 +25,7 @@ class Element:
     members   how many parts it has: 1, or 2 for a pair
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
+    plane     whether it has a plane section, which can be drawn
     """
 
     name: str
@@ -34,6 +35,7 @@ class Element:
     origin: str
     members: Literal[1, 2] = 1
     settled: Mapping[str, str] = field(default_factory=dict)
+    plane: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,6 +83,7 @@ ELEMENTS = (
             origin="on the part's axis, +z, at one end of the teeth; of a rack as for one alone",
             members=2,
             settled={"kind": kind},
+            plane=True,
         )
         for kind, summary in {
             "spur": "two spur gears in mesh",
@@ -96,6 +99,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.herringbone_gear:HerringboneGear",
         command="herringbone",
         origin="on the axis, +z, at one end of the teeth",
+        plane=True,
     ),
     Element(
         name="helical gear",
@@ -103,6 +107,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.helical_gear:HelicalGear",
         command="helical",
         origin="on the axis, +z, at one end of the teeth",
+        plane=True,
     ),
     Element(
         name="internal gear",
@@ -110,6 +115,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.internal_gear:InternalGear",
         command="internal",
         origin="on the axis, +z, at one end of the teeth",
+        plane=True,
     ),
     Element(
         name="rack",
@@ -117,6 +123,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.rack:Rack",
         command="rack",
         origin="on the pitch plane, below the tip of the first tooth, at one end of the teeth; +x is up",
+        plane=True,
     ),
     Element(
         name="spur gear",
@@ -124,6 +131,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.spur_gear:SpurGear",
         command="spur",
         origin="on the axis, +z, at one end of the teeth",
+        plane=True,
     ),
     Element(
         name="sweep",
@@ -132,6 +140,7 @@ ELEMENTS = (
         command="sweep",
         origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
         " its axis, +z",
+        plane=True,
     ),
 )
 

@@ -18,6 +18,8 @@ DENSITY = Parameter(meaning="density in kg/m³", above=0)
 TOLERANCE = Parameter(meaning="largest chord distance of the polyhedron", unit="length", above=0)
 TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 
+_NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
+
 DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
 
 
@@ -64,6 +66,10 @@ class Outputs:
         float | None, Option(help="Angle by which a placed pinion is turned; its mate follows.", metavar="DEG")
     ] = None
     picture: Annotated[Path | None, Option(help="Draw a picture.", metavar="FILE.png")] = None
+    drawing: Annotated[
+        Path | None,
+        Option(help="Draw the plane section, with true arcs and splines.", metavar="FILE.dxf|svg"),
+    ] = None
     tolerance: Annotated[
         float | None,
         Option(
@@ -88,11 +94,16 @@ class Outputs:
         """The file that the errors are drawn into."""
         return self.convergence[0] if self.convergence else None
 
-    def problems(self, members: int) -> list[Problem]:
-        """What is wrong with these options, for an element of so many members."""
+    def problems(self, kind: catalog.Element) -> list[Problem]:
+        """What is wrong with these options, for an element of a kind."""
         written = [f.suffix for f in catalog.FILE_FORMATS if f.writer]
         file = self.output if self.output is not None and self.output.suffix else None
-        files = {"output": self.output, "picture": self.picture, "convergence": self.plot}
+        files = {
+            "output": self.output,
+            "picture": self.picture,
+            "drawing": self.drawing,
+            "convergence": self.plot,
+        }
         nameless = [name for name, path in files.items() if path == Path()]
         limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN}
         pairs_only = {"placed": self.placed, "turn": self.turn is not None}
@@ -103,11 +114,17 @@ class Outputs:
             *(Problem(option_name(name), "a name is needed") for name in nameless),
             *_wrong_suffix("output", file, written),
             *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
+            *(_wrong_suffix("drawing", self.drawing, [".dxf", ".svg"]) if "drawing" not in nameless else []),
+            *(
+                [Problem("--drawing", f"a {kind.name} {_NOT_PLANE}")]
+                if self.drawing is not None and not kind.plane
+                else []
+            ),
             *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
             *(
                 Problem(option_name(name), "applies to a pair")
                 for name, given in pairs_only.items()
-                if given and members == 1
+                if given and kind.members == 1
             ),
             *(
                 Problem(option_name(name), "applies to files and pictures; none is asked for")

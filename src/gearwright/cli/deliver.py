@@ -12,7 +12,7 @@ from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
 from .json_output import built_json
-from .outputs import write
+from .outputs import draw, write
 from .report import show_built
 
 
@@ -25,6 +25,8 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     if outputs.convergence is not None:
         built = with_convergence(built)
     written = write(built, outputs)
+    if outputs.drawing is not None:
+        written.append(draw(element, outputs.drawing))
     if outputs.plot is not None:
         plot_parts(built, outputs.plot)
         written.append(outputs.plot)

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
+from ..elements.element import Element
 from .built import Built
 from .common_options import Outputs
 
@@ -25,6 +27,14 @@ def write(built: Built, outputs: Outputs) -> list[Path]:
             draw_parts(parts, outputs.picture, built.title, built.units.length)
         written.append(outputs.picture)
     return written
+
+
+def draw(element: Element, path: Path) -> Path:
+    """Writes the plane section of an element as a drawing and gives its path."""
+    folder(path.parent)
+    with progress("drawing"):
+        element.save_drawing(path)
+    return path
 
 
 def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:

@@ -9,7 +9,9 @@ from typing import Literal
 import numpy as np
 
 from ..boundary.boundary import Boundary
+from ..errors import GeometryError, Problem
 from ..parameters import MILLIMETRES, Problems, Size
+from ..sections.plane import Section
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.solid import Solid
@@ -37,6 +39,11 @@ class Element(ABC):
         """Derived sizes by name."""
 
     @property
+    def profile(self) -> Section | None:
+        """The plane section that the part is made from, as a drawing shows it; None where it has no plane one."""
+        return None
+
+    @property
     def upward(self) -> Literal[1, -1]:
         """Which way z points in a picture of the part alone."""
         return 1
@@ -61,6 +68,15 @@ class Element(ABC):
     def save(self, path: str | Path, tolerance: float | None = None) -> None:
         """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
         self.polyhedron(tolerance).save(path, length_unit=self.length_unit)
+
+    def save_drawing(self, path: str | Path) -> None:
+        """Writes the profile as a DXF or SVG drawing, arcs and splines as they are.
+
+        Raises GeometryError where the part has no plane section; FileError, MachineError.
+        """
+        if self.profile is None:
+            raise GeometryError("This part cannot be drawn", [Problem(self.description, refusals.NO_PROFILE)])
+        self.profile.save(path, length_unit=self.length_unit)
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""

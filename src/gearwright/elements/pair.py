@@ -5,8 +5,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from pathlib import Path
 
+import numpy as np
+
 from ..arrays import Array
+from ..errors import GeometryError, Problem
 from ..parameters import Size
+from ..sections.drawings.writing import Profile, write
+from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .element import Element
 
@@ -63,6 +68,20 @@ class Pair(ABC):
         Raises FileError, MachineError.
         """
         save_parts(self.parts(tolerance), Path(path), self.length_unit)
+
+    def save_drawing(self, path: str | Path) -> None:
+        """Writes the profiles of both members in mesh, each on its own layer, as a DXF or SVG drawing.
+
+        Raises GeometryError where the members have no plane section; FileError, MachineError.
+        """
+        profiles = []
+        members = (("pinion", self.pinion), ("gear", self.gear))
+        for (layer, member), placement in zip(members, self.placements(), strict=True):
+            if member.profile is None:
+                raise GeometryError("This pair cannot be drawn", [Problem(self.description, refusals.NO_PROFILE)])
+            turn, shift = float(np.arctan2(placement[1, 0], placement[0, 0])), (placement[0, 3], placement[1, 3])
+            profiles.append(Profile(section=member.profile, layer=layer, turn=turn, shift=shift))
+        write(path, profiles, length_unit=self.length_unit)
 
     def picture(self, path: str | Path, tolerance: float | None = None, turn: float = 0.0) -> None:
         """Draws both members in mesh into a PNG file, the pinion turned by so many degrees.

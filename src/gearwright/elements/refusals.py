@@ -13,6 +13,8 @@ ONE_PITCH = "give one of module (mm) and diametral_pitch (per inch)"
 LOGARITHMIC_WITHOUT_ANGLE = 'a logarithmic trace needs one, such as 35; teeth without one are trace "straight"'
 STRAIGHT_WITH_ANGLE = 'a straight trace has none; choose trace "logarithmic", or leave it out'
 
+NO_PROFILE = "it has no plane section, which is what is drawn; `picture` shows it, and `save` writes its polyhedron"
+
 
 def pointed_tooth(limit: float, unit: str) -> str:
     """The addendum at which the flanks meet is exceeded."""

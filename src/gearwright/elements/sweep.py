@@ -130,6 +130,11 @@ class Sweep(Element):
         section.require_simple()
         return section
 
+    @property
+    def profile(self) -> Section:
+        """The section before it is moved."""
+        return self.outline
+
     @cached_property
     def drawing(self) -> Drawing | None:
         """What the section's file shows; None for a table."""

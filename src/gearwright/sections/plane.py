@@ -128,6 +128,20 @@ class Section(LoopedSection):
 
         return cls._simple(read(path, layer=layer).region(around))
 
+    def save(self, path: str | Path, *, length_unit: str = "mm", tolerance: float | None = None) -> None:
+        """Writes the section as a DXF or SVG drawing, as the suffix says, for `load` and other programs.
+
+        length_unit   of the coordinates, "mm" or "in", which the file states
+        tolerance     largest distance (a length) of splines from involutes and other curves that drawings do not
+                      hold; default 1e-7 × the section's size. Lines, arcs, ellipses and splines are written as they are
+
+        Raises FileError where the name is not such a file's; GeometryError for a section that crosses itself;
+        MachineError where the disk does not take it or the writer is not installed: pip install 'gearwright[drawing]'.
+        """
+        from .drawings import Profile, write
+
+        write(path, [Profile(section=self)], length_unit=length_unit, tolerance=tolerance)
+
     @cached_property
     def _frame(self) -> tuple[Array, float]:
         """A point in the middle of the section (where it has symmetry, the origin), and its size from there."""
