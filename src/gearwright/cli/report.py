@@ -117,7 +117,7 @@ def _sizes_table(title: str, names: Sequence[str], sizes: Sequence[Mapping[str, 
         table.add_column(heading, style="dim" if heading else "")
     for name in names:
         table.add_column(name, justify="right")
-    for name, size in sizes[0].items():
+    for name, size in {name: size for one in reversed(sizes) for name, size in one.items()}.items():
         texts = (number(one[name].value, digits=7) if name in one else "" for one in sizes)
         unit = {"length": units.length, "area": _power(units.length, 2)}.get(size.unit) or _UNITS[size.unit]
         table.add_row(name.replace("_", " "), size.symbol, unit, *texts)

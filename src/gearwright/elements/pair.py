@@ -10,7 +10,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..parameters import Size
-from ..sections.drawings.writing import Profile, write
+from ..sections.drawings import Profile, write
 from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .element import Element

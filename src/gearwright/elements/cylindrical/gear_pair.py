@@ -53,6 +53,7 @@ class GearPair(Pair):
 
     teeth             pinion first; what is given once holds for both members
     kind              of the gear: "spur", "helical", "herringbone", "internal" or "rack"
+    helix_angle       0 if not given, for an internal pair or a rack and pinion
     hand              of the pinion; its mate has the other one, in an internal pair the same
     profile_shift     0 if neither it nor the centre distance is given
     centre_distance   of the axes, or from the pinion's axis to the rack's pitch plane. Without profile shifts
@@ -70,7 +71,7 @@ class GearPair(Pair):
     diametral_pitch: float | None = declared(d.DIAMETRAL_PITCH, default=None)
     face_width: float | tuple[float, float] = declared(d.FACE_WIDTH, members="both")
     pressure_angle: float = declared(d.NORMAL_PRESSURE_ANGLE, default=20.0)
-    helix_angle: float = declared(d.HELIX_ANGLE, default=0.0, only=_HELICAL)
+    helix_angle: float | None = declared(d.HELIX_ANGLE, default=None, only=_HELICAL)
     hand: str = declared(d.HELIX_HAND, default="right", only=_HELICAL)
     profile_shift: float | tuple[float, float] | None = declared(d.PROFILE_SHIFT, default=None, members="both")
     centre_distance: float | None = declared(d.CENTRE_DISTANCE, default=None)
@@ -123,6 +124,8 @@ class GearPair(Pair):
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
+        if self.kind in ("helical", "herringbone") and self.helix_angle is None:
+            problems.add("helix_angle", f"is needed: {d.HELIX_ANGLE.meaning}")
         ready = problems.counted() and problems.computable(*_OF_THE_AXES) and problems.sound("kind", "teeth", "module")
         if ready:
             self._check_axes(problems)
@@ -150,7 +153,7 @@ class GearPair(Pair):
     @cached_property
     def axes(self) -> AxesOfGears | AxisOverRack:
         """Where the axes are, and the profile shifts that go with it."""
-        helix = float(np.radians(self.helix_angle))
+        helix = float(np.radians(self.helix_angle or 0.0))
         module = normal_module(self.length_unit, self.module, self.diametral_pitch, self.transverse_module, helix)
         angle = float(np.radians(self.pressure_angle))
         pinion, gear = (
@@ -168,6 +171,8 @@ class GearPair(Pair):
         own = {one.name for one in declarations(type(self))}
         names = [one.name for one in declarations(MEMBERS[self.kind][member]) if one.name in own]
         values = {name: member_value(getattr(self, name), member) for name in names}
+        if "helix_angle" in values:
+            values["helix_angle"] = self.helix_angle or 0.0
         if "profile_shift" in values:
             values["profile_shift"] = (self.axes.shifts or (0.0, 0.0))[member]
         return values
