@@ -54,10 +54,6 @@ class ExternalGear(CylindricalGear):
     def motion(self) -> Motion:
         """How the transverse section moves from z = 0 to the face width."""
 
-    @property
-    def _more_numbers(self) -> tuple[str, ...]:
-        return ("rack_tip_radius", "rack_tip_coefficient")
-
     def _check_given(self, problems: Problems) -> None:
         super()._check_given(problems)
         self._require_one_of(problems, "rack_tip_radius", "rack_tip_coefficient")
