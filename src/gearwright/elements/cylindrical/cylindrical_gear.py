@@ -13,7 +13,7 @@ from ...parameters import Problems, Size, declarations, declared
 from ...sections.plane import Section
 from .. import declarations as d
 from .. import refusals, remarks
-from ..blank import Blank
+from ..blanks.blank import Blank
 from ..element import Element
 from ..standards.iso_53 import BASIC_RACKS, BasicRack
 from ..standards.over_pins import USUAL as USUAL_PINS

@@ -14,7 +14,8 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
-from ..blank import Blank
+from ..blanks.blank import Blank
+from ..blanks.limits import blank_problems
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
@@ -68,7 +69,7 @@ class ExternalGear(CylindricalGear):
         ):
             problems.add(self._given_as(name), message)
         if self.toothing.root_radius > 0.0 and problems.computable(*_OF_THE_BLANK):
-            for name, message in self.blank.problems(2.0 * self.toothing.root_radius, self.face_width):
+            for name, message in blank_problems(self.blank, 2.0 * self.toothing.root_radius, self.face_width):
                 problems.add(name, message)
 
     def _given_as(self, name: str) -> str:
