@@ -1,6 +1,7 @@
 """What the page on cylindrical gears shows is what happens."""
 
 import shlex
+from itertools import pairwise
 
 import matplotlib.image
 import numpy as np
@@ -32,7 +33,7 @@ def test_every_command_runs(command, tmp_path, monkeypatch, capsys):
     assert main(shlex.split(command)[1:]) == 0, capsys.readouterr().err
     assert capsys.readouterr().out
     words = shlex.split(command)
-    for name, output in zip(words, words[1:], strict=False):
+    for name, output in pairwise(words):
         if name in ("-o", "--drawing"):
             assert (tmp_path / output).exists()
 
