@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .curves.helix import helix
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
+    from .elements.cams.cam import Cam
     from .elements.spur_gear import SpurGear
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
@@ -29,6 +30,7 @@ __all__ = [
     "ApproximationError",
     "BevelGear",
     "BevelPair",
+    "Cam",
     "FileError",
     "GearwrightError",
     "GeometryError",
@@ -57,6 +59,7 @@ _MODULES = {
     ".curves.helix": ("helix",),
     ".elements.bevel_gear": ("BevelGear",),
     ".elements.bevel_pair": ("BevelPair",),
+    ".elements.cams.cam": ("Cam",),
     ".elements.spur_gear": ("SpurGear",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),

@@ -28,7 +28,7 @@ def build(
     """
     found = read_design(design)
     element, problems = element_of(found.kind, found.kinds, found.values, str)
-    problems = problems + outputs.problems(found.kind.members)
+    problems = problems + outputs.problems(found.kind.members) + outputs.diagram_problems(found.kind.diagrams)
     if problems:
         raise ProblemsError(f"{design}: a {said(found.kind, found.kinds, str)} cannot be built so", problems)
     return deliver(found.kind, element, outputs, str)

@@ -83,10 +83,22 @@ class Outputs:
         ),
     ] = None
 
+    diagram: Annotated[
+        Path | None, Option(help="Draw a cam's disk and its follower's motion.", metavar="FILE.png|svg")
+    ] = None
+
     @property
     def plot(self) -> Path | None:
         """The file that the errors are drawn into."""
         return self.convergence[0] if self.convergence else None
+
+    def diagram_problems(self, drawn: bool) -> list[Problem]:
+        """What is wrong with the diagram asked for, of an element that draws one or does not."""
+        if self.diagram is None:
+            return []
+        if not drawn:
+            return [Problem(option_name("diagram"), "applies to a cam")]
+        return _wrong_suffix("diagram", self.diagram, [".png", ".svg"])
 
     def problems(self, members: int) -> list[Problem]:
         """What is wrong with these options, for an element of so many members."""

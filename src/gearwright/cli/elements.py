@@ -33,7 +33,9 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
     def run(*, outputs: Outputs = DEFAULT, **words: Sequence[str] | None) -> int:
         kind = chosen(kinds, words.get("teeth") or None)
         element, problems = element_of(kind, kinds, given_values(parameters, words), option_name)
-        problems = in_options(problems, kinds) + outputs.problems(kind.members)
+        problems = (
+            in_options(problems, kinds) + outputs.problems(kind.members) + outputs.diagram_problems(kind.diagrams)
+        )
         if problems:
             raise ProblemsError(f"A {said(kind, kinds, option_name)} cannot be built with these options", problems)
         return deliver(kind, element, outputs, partial(text_in_options, names=parameter_names(kind)))

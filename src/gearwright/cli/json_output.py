@@ -44,6 +44,7 @@ def _part(part: Part, units: Units) -> dict[str, Any]:
         "placement": part.placement,
         "properties": properties_json(part.properties, units),
     }
+    document |= part.gear.findings
     if part.convergence:
         document["convergence"] = {name: study.to_dict() for name, study in part.convergence.items()}
     return document

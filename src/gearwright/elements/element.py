@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -45,6 +45,11 @@ class Element(ABC):
     def remarks(self) -> list[str]:
         """What is unusual about the part, though it can be built."""
         return []
+
+    @property
+    def findings(self) -> dict[str, Any]:
+        """What was found out about the part besides its sizes, as plain values for programs."""
+        return {}
 
     @property
     def boundary(self) -> Boundary:

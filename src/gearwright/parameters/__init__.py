@@ -8,7 +8,7 @@ from .declaration import Declaration, declarations, declared, entry, member_valu
 from .forms import FileName, Numbers, Points, Several, Table, Text
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
-from .units import LEAST, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down
+from .units import LEAST, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up
 
 __all__ = [
     "LEAST",
@@ -34,4 +34,5 @@ __all__ = [
     "in_words",
     "member_value",
     "rounded_down",
+    "rounded_up",
 ]

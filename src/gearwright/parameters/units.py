@@ -37,6 +37,14 @@ def rounded_down(value: float) -> str:
     return f"{math.floor(value / step) * step:.4g}"
 
 
+def rounded_up(value: float) -> str:
+    """A limit to four digits, never below it, so that what is followed is accepted."""
+    if value <= 0.0 or not math.isfinite(value):
+        return f"{value:.4g}"
+    step = 10.0 ** (math.floor(math.log10(value)) - 3)
+    return f"{math.ceil(value / step) * step:.4g}"
+
+
 def in_words(value: object, unit: Unit, length_unit: str) -> str:
     """A value as a person reads it, with its unit: "90 mm", "(16, 2)", "35°", "{circle = 3}"."""
     if isinstance(value, Mapping):
