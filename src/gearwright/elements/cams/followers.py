@@ -160,6 +160,10 @@ class TranslatingRoller(Roller):
     offset: float
     roller_radius: float
 
+    @property
+    def base_radius(self) -> float:
+        return self.radius
+
     def _height(self, s: Array) -> Array:
         return np.sqrt((self.radius + self.roller_radius) ** 2 - self.offset**2) + s[0]
 

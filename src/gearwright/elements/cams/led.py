@@ -14,7 +14,7 @@ from .laws import Law
 from .programme import Displacement, Step, displacement
 from .spline_law import SplineLaw, even_values, spline_basis
 
-_NODES = 16  # of a Gauss–Legendre rule for the area, on each analytic piece
+_NODES = 32  # of a Gauss–Legendre rule for the area, on each analytic piece
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...moments.polygon import polygon_moments
 from ...parameters import Size, Unit
+from ...sections.plane import Section
 from .kinds import KINDS
 
 if TYPE_CHECKING:
@@ -47,7 +49,7 @@ def sizes_of(cam: Cam) -> dict[str, Size]:
     pressure = float(np.degrees(profile.pressure_angle.value))
     found["largest_pressure_angle"] = Size(pressure, "angle", "α_max", "between the normal and the follower's way")
     found |= _face(cam) | _motion(cam)
-    area = float(_area(cam.profile.loop.quadrature(40)))
+    area = Section(loops=(profile.loop,)).properties().area
     found["disk_area"] = Size(area, "area", "A", "area inside the profile, the bore not taken off")
     found["polygon_area"] = Size(_polygon_area(cam), "area", "A_n", f"area of the polygon of {cam.vertices} vertices")
     return found
@@ -77,12 +79,5 @@ def _motion(cam: Cam) -> dict[str, Size]:
     }
 
 
-def _area(quadrature: tuple[np.ndarray, np.ndarray]) -> float:
-    points, tangents = quadrature
-    return float(np.sum(points[:, 0] * tangents[:, 1] - points[:, 1] * tangents[:, 0])) / 2.0
-
-
 def _polygon_area(cam: Cam) -> float:
-    points = cam.polygon()
-    following = np.roll(points, -1, axis=0)
-    return float(np.sum(points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0])) / 2.0
+    return float(polygon_moments([cam.polygon()])[0, 0])

@@ -16,12 +16,12 @@ from .kinds import KINDS, SENSES
 from .laws import FIXED_LAWS, SPLINE
 from .led import Led, Movement, area_nodes, led
 from .limits import Limits
-from .programme import Displacement, Step
+from .programme import Displacement, Segment, Step
 from .spline_law import even_values, fitted_values
 
 _PLACES = 41  # of each segment where limits are asked for at first
 _LOOKS = 2001  # of each move where they are looked at afterwards
-_CHECKED = 10_000  # cam angles at which the result must keep its limits
+_CHECKED = 10_000  # cam angles at which, besides the worst ones, the result must keep its limits
 _ROUNDS = 12  # of adding places where limits were missed between the others
 _MARGINS = (1e-6, 1e-5, 1e-4)  # by which limits are kept there, one after another until none is missed between
 _HOPELESS = 1e-3  # a limit missed by more at the places themselves cannot be kept from there
@@ -121,6 +121,18 @@ class _Search:
     def _area_nodes(self) -> Led:
         return area_nodes(self.movement)
 
+    @cached_property
+    def _segments(self) -> tuple[Segment, ...]:
+        return self.movement.even().segments
+
+    @cached_property
+    def _looks(self) -> list[Array]:
+        return [np.linspace(s.start, s.end, _LOOKS if s.law else 1) for s in self._segments]
+
+    @cached_property
+    def _seen(self) -> Led:
+        return led(self.movement, self._looks)
+
     @property
     def _dimensions(self) -> int:
         return len(self.task.freedom.variables)
@@ -176,21 +188,25 @@ class _Search:
 
         Also whether there seem to be none.
         """
-        segments = self.movement.even().segments
-        places = [np.linspace(s.start, s.end, _PLACES if s.law else 1) for s in segments]
-        looks = [np.linspace(s.start, s.end, _LOOKS if s.law else 1) for s in segments]
-        seen, x = led(self.movement, looks), start
+        places = [np.linspace(s.start, s.end, _PLACES if s.law else 1) for s in self._segments]
+        x = start
         for _ in range(_ROUNDS):
             at = led(self.movement, places)
             x = self._solved(x, at, margin)
             with np.errstate(all="ignore"):
                 if not min(float(np.min(one)) for one in self.margins(x, at).values()) > -_HOPELESS:
                     return x, True
-                worse = [_dips(one, looks, margin / 2.0) for one in self.margins(x, seen).values()]
-            if not any(len(one) for dips in worse for one in dips):
+            worse = self._worst(x, margin / 2.0)
+            if not any(len(one) for one in worse):
                 break
-            places = [np.unique(np.concatenate([p, *one])) for p, *one in zip(places, *worse, strict=True)]
+            places = [np.union1d(p, one) for p, one in zip(places, worse, strict=True)]
         return x, False
+
+    def _worst(self, x: Array, least: float) -> list[Array]:
+        """For each segment the cam angles where a limit is kept by less than that, but by more nearby."""
+        with np.errstate(all="ignore"):
+            dips = [_dips(margin, self._looks, least) for margin in self.margins(x, self._seen).values()]
+        return [np.concatenate(one) for one in zip(*dips, strict=True)]
 
     def _solved(self, start: Array, at: Led, margin: float) -> Array:
         from scipy.optimize import minimize
@@ -224,7 +240,8 @@ class _Search:
 
     def _optimum(self, x: Array) -> Optimum:
         displacement = self.movement.displacement(x[self._dimensions :])
-        angles = 2.0 * np.pi * np.arange(_CHECKED) / _CHECKED
+        even = 2.0 * np.pi * np.arange(_CHECKED) / _CHECKED
+        angles = np.union1d(even, np.concatenate(self._worst(x, _ACTIVE)))
         with np.errstate(all="ignore"):
             follower = self.follower(x)
             contact = follower.contact(displacement.derivatives(angles))
@@ -264,7 +281,10 @@ class _Search:
 
 
 def _dips(margin: Array, looks: Sequence[Array], least: float) -> list[Array]:
-    """For each segment the places, between the looks, at which a margin has a low below the least."""
+    """For each segment the places, between the looks, at which a margin has a low that is below the least.
+
+    Each is the vertex of the parabola through the lowest look and its neighbours.
+    """
     if len(margin) == 1:
         return [np.empty(0)] * len(looks)
     found, first = [], 0
@@ -275,9 +295,10 @@ def _dips(margin: Array, looks: Sequence[Array], least: float) -> list[Array]:
             found.append(np.empty(0))
             continue
         before, middle, after = values[:-2], values[1:-1], values[2:]
-        i = np.flatnonzero((middle < before) & (middle <= after) & (middle < least))
+        i = np.flatnonzero((middle < before) & (middle <= after))
         bend = before[i] - 2.0 * middle[i] + after[i]
-        shift = (before[i] - after[i]) / (2.0 * np.where(bend > 0.0, bend, 1.0))  # of the parabola through the three
-        step = angles[1] - angles[0]
-        found.append(angles[i + 1] + step * np.clip(shift, -1.0, 1.0))
+        shift = np.clip((before[i] - after[i]) / (2.0 * bend), -1.0, 1.0)
+        low = middle[i] - bend * shift**2 / 2.0
+        places = angles[i + 1] + (angles[1] - angles[0]) * shift
+        found.append(places[low < least])
     return found
