@@ -55,7 +55,8 @@ def test_diagrams_are_refused_where_there_are_none(run):
 
 
 def test_a_cusp_names_the_option_that_mends_it(run):
-    outcome = run(*FACE, "--base-radius", 2)
+    words = [word.replace("rise 150, dwell 60", "rise 60, dwell 150") for word in FACE]
+    outcome = run(*words, "--base-radius", 2)
     assert outcome.code == 2
     assert "--base-radius = 2 mm: undercut: at cam angle" in outcome.err
     assert "--base-radius greater than" in outcome.err
