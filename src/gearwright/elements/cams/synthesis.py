@@ -93,7 +93,7 @@ def least_area_spline(task: Task, fixed: Mapping[str, Optimum], count: int) -> O
     for name, found in sorted(fixed.items(), key=lambda one: (not one[1].keeps_limits, one[1].area)):
         shape = fitted_values(FIXED_LAWS[name].derivatives(x), x, count)
         starts.append(np.concatenate([search.variables(found.dimensions), np.tile(shape, moves)]))
-    best = _best(search.run(start) for start in starts[:3])
+    best = _best(search.run(start) for start in starts[:2])
     if best.keeps_limits:
         return best
     return _best([best, *(search.run(np.concatenate([s, search.values])) for s in task.freedom.starts())])
