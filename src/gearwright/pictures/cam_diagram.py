@@ -153,7 +153,8 @@ def _draw_follower(axes: Axes, disk: Disk, reach: float) -> None:
     if disk.pivot is not None:
         x, y = disk.pivot
         axes.plot(x, y, "o", markersize=9.0, color="white", markeredgecolor=_FOLLOWER, markeredgewidth=2.2, zorder=6)
-        axes.text(x + 0.05 * reach, y, "pivot", fontsize=_SMALL, color=_FOLLOWER, va="center", zorder=8)
+        plain = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8}
+        axes.text(x + 0.05 * reach, y, "pivot", fontsize=_SMALL, color=_FOLLOWER, va="center", zorder=5.2, bbox=plain)
 
 
 def _draw_contact(axes: Axes, disk: Disk, reach: float, moment: float) -> None:

@@ -33,12 +33,13 @@ from .kinds import KINDS, Kind
 from .laws import FIXED_LAWS, SPLINE
 from .led import Movement
 from .limits import Limits
+from .optimum import Optimum, Task
 from .placement_checks import placement_problems
 from .profile import Profile
 from .profile_checks import profile_of, profile_problems
 from .programme import Displacement, Step, read_programme
 from .sizes import sizes_of
-from .synthesis import Optimum, Task, least_area, least_area_spline
+from .synthesis import least_area, least_area_spline
 
 _OF_SYNTHESIS = ("free_values", "eccentricity_limit", "curvature_limit", "pressure_angle_limit")
 _OF_FOLLOWERS = tuple(dict.fromkeys(name for kind in KINDS.values() for name in kind.parameters))
@@ -90,7 +91,7 @@ class Cam(Element):
         if problems.sound("follower", "programme", movement):
             for problem in read_programme(self.programme, self.amount, self._amount_unit)[1]:
                 problems.add("programme", problem)
-        if problems.sound("law", "spline_values", "minimise"):
+        if problems.sound("law", "spline_values", "minimise", "free_values"):
             self._check_law(problems)
         if problems.sound():
             self._check_shape(problems)
@@ -118,6 +119,8 @@ class Cam(Element):
 
     def _check_law(self, problems: Problems) -> None:
         """Whether the law and the values of its spline go together, and with the synthesis."""
+        if self.free_values is not None and self.minimise and self.law not in (None, SPLINE):
+            problems.add("free_values", refusals.FREE_WITHOUT_SPLINE)
         if self.spline_values is None:
             if self.law == SPLINE and not self.minimise:
                 problems.add("law", refusals.SPLINE_WITHOUT_VALUES)
@@ -142,11 +145,13 @@ class Cam(Element):
 
     def _check_shape(self, problems: Problems) -> None:
         unit = self.length_unit
-        if self.minimise:
+        if self.minimise and self.task.freedom.variables:
             self._check_synthesis(problems)
-        else:
-            for name, problem in placement_problems(self.follower, self.given, self.amount, unit):
+        if problems.sound():
+            for name, problem in placement_problems(self.follower, self._placed, self.amount, unit):
                 problems.add(name, problem)
+        if problems.sound() and self.minimise:
+            self._check_synthesis(problems)
         if problems.sound():
             arguments = (self.follower, self.dimensions, self.sense or "opposite", self.displacement)
             for name, problem in profile_problems(*arguments, self.amount, unit):
@@ -222,6 +227,11 @@ class Cam(Element):
         if self.law is not None and self.law != SPLINE:
             return least_area(self.task, self.law, 0)
         return least_area_spline(self.task, self.compared, self.free_values or _FREE_VALUES)
+
+    @property
+    def _placed(self) -> Mapping[str, float]:
+        """The dimensions, without a synthesis where there is none to choose."""
+        return self.dimensions if self.task.freedom.variables else self.given
 
     @property
     def dimensions(self) -> Mapping[str, float]:

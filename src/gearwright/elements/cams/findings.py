@@ -8,7 +8,7 @@ import numpy as np
 
 from .kinds import KINDS
 from .laws import FIXED_LAWS
-from .synthesis import Optimum
+from .optimum import Optimum
 
 if TYPE_CHECKING:
     from .cam import Cam

@@ -80,7 +80,7 @@ def _of_flat_faces_that_swing(given: Dimensions, swing: float, size: float) -> M
     del given
     return {
         "face_offset": _length("face_offset", -5.0, 100.0, (2.0, 0.0, 4.0), size),
-        "initial_angle": _angle(-STEEPEST_FACE, STEEPEST_FACE - swing, (15.0, 60.0, 40.0)),
+        "initial_angle": _angle(-STEEPEST_FACE, max(STEEPEST_FACE - swing, -STEEPEST_FACE), (15.0, 60.0, 40.0)),
     }
 
 
@@ -103,7 +103,7 @@ def _of_rollers_that_swing(given: Dimensions, swing: float, size: float) -> Mapp
     reach = (given["base_radius"] + given["roller_radius"]) / size if "base_radius" in given else None
     shortest, longest = (0.05, 5.0) if reach is None else (1.001 * abs(1.0 - reach) + 1e-3, 0.999 * (1.0 + reach))
     return {
-        "arm_length": _length("arm_length", shortest, longest, (0.8, 1.0, 0.6), size),
+        "arm_length": _length("arm_length", shortest, max(shortest, longest), (0.8, 1.0, 0.6), size),
         "initial_angle": _angle(1.0, 178.0 - swing, (35.0, 60.0, 20.0)),
     }
 

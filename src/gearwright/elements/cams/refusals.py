@@ -11,6 +11,7 @@ from .profile import Extreme
 
 WITH_MINIMISE = 'applies to a synthesis; ask for one with minimise "area", or leave it out'
 VALUES_WITHOUT_SPLINE = 'applies to law "spline"; choose that, or leave it out'
+FREE_WITHOUT_SPLINE = 'applies to law "spline"; choose that, or leave it out: another law has no free values'
 VALUES_WITH_MINIMISE = "the synthesis finds them; leave them out, or leave out minimise"
 SPLINE_WITHOUT_VALUES = 'its values are needed: give spline_values, or let minimise "area" find them'
 NOTHING_FREE = 'nothing is left to choose: leave out some of the dimensions, or take law "spline"'
