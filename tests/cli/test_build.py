@@ -106,7 +106,7 @@ def test_remarks_keep_the_names_of_the_design(build):
 
 
 REFUSALS = [
-    ("", ("this names no element", "element: one of bevel, spur, sweep is needed at the top")),
+    ("", ("this names no element", "element: one of bevel, spur, sweep, cam is needed at the top")),
     ("teeth = 3\n", ("element: one of bevel",)),
     ('elemnt = "spur"\n', ("elemnt: there is no such key; did you mean element?",)),
     ('element = "spurr"\n', ("element = 'spurr'", "did you mean spur?")),

@@ -16,10 +16,17 @@ def test_sizes_and_json(run):
     for text in ("least curvature radius", "ρ_min", "polygon area", "face length"):
         assert text in outcome.out
     found = json.loads(run(*FACE, "--base-radius", 40, "--json").out)
-    assert set(found) == {"parameters", "sizes", "placement", "properties", "polygon"}
+    assert set(found) == {"parameters", "sizes", "placement", "properties", "beside"}
     assert found["sizes"]["disk_area"]["unit"] == "mm^2"
-    assert found["polygon"]["vertices"] == 100
-    assert found["polygon"]["properties"]["volume"] < found["properties"]["volume"]
+    assert 0.99 < found["beside"]["polygon"]["volume"] / found["properties"]["volume"] < 1.0
+
+
+def test_the_polygon_stands_beside_the_exact_values(run):
+    outcome = run(*FACE, "--base-radius", 40, "--density", 7850)
+    rows = [line.split() for line in outcome.out.splitlines()]
+    assert ["unit", "cam", "polygon"] in rows
+    (volumes,) = (row[2:] for row in rows if row[:1] == ["volume"])
+    assert 0.99 < float(volumes[1]) / float(volumes[0]) < 1.0
 
 
 def test_a_synthesis_is_told_on_stderr_and_in_json(run):

@@ -59,6 +59,11 @@ class Element(ABC):
         """Volume, centroid and inertia; density in mass per cubed length unit."""
         return self.solid.properties(density)
 
+    def beside(self, density: float = 1.0) -> dict[str, MassProperties]:
+        """Properties of named approximations, to be shown beside the part's own."""
+        del density
+        return {}
+
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
         """A watertight polyhedron within a chord tolerance (length); default 1e-4 × bounding diagonal."""
         return self.solid.polyhedron(tolerance)

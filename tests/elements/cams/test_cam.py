@@ -1,7 +1,5 @@
 """The thesis's cam and its polygons, sizes, remarks, and what has no cam."""
 
-import json
-
 import numpy as np
 import pytest
 
@@ -61,14 +59,16 @@ def test_the_polygon_of_100_vertices_stands_beside_the_true_profile():
     np.testing.assert_allclose(np.array(lost[:-1]) / np.array(lost[1:]), 4.0, rtol=0.05)
 
 
-def test_findings_hold_the_polygon():
+def test_the_polygon_stands_beside_the_cam_bored_like_it():
     cam = gw.Cam(**THESIS, bore=30)
-    found = cam.findings["polygon"]
-    assert found["vertices"] == 100
-    assert found["properties"]["volume"] == pytest.approx(
-        40.0 * (cam.sizes()["polygon_area"].value - np.pi * 15.0**2), rel=1e-12
-    )
-    json.dumps(cam.findings)
+    ((name, polygon),) = cam.beside(density=2.0).items()
+    assert name == "polygon"
+    assert polygon.volume == pytest.approx(40.0 * (cam.sizes()["polygon_area"].value - np.pi * 15.0**2), rel=1e-12)
+    assert polygon.mass == 2.0 * polygon.volume
+
+
+def test_a_polygon_that_the_bore_cuts_is_none():
+    assert gw.Cam(**THESIS, bore=140, vertices=3).beside() == {}
 
 
 def test_a_bore_takes_away_a_cylinder():

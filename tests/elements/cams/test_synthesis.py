@@ -189,6 +189,35 @@ def test_limits_that_nothing_keeps_are_refused(law):
         )  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("values", "name", "said"),
+    [
+        ({"swing": 30}, "pivot_distance", "is needed for the follower"),
+        ({"swing": 30, "pivot_distance": 20, "face_offset": 3, "initial_angle": 80}, "initial_angle", "less than 60°"),
+        (
+            {"swing": 30, "pivot_distance": 20, "law": "harmonic", "free_values": 4},
+            "free_values",
+            'applies to law "spline"',
+        ),
+        ({"swing": 30, "pivot_distance": 20, "spline_values": (0.3, 0.4)}, "spline_values", "the synthesis finds them"),
+        ({"swing": 165, "pivot_distance": 20, "law": "harmonic"}, "minimise", "no cam with law"),
+    ],
+    ids=["scale", "placement", "free values", "values", "wide swing"],
+)
+def test_what_a_synthesis_cannot_begin_with_is_refused(values, name, said):
+    with pytest.raises(gw.ParameterError) as raised:
+        gw.Cam(**values, programme=PROGRAMME, thickness=5, minimise="area")
+    found = {problem.subject.split(" = ")[0]: problem.message for problem in raised.value.problems}
+    assert said in found[name]
+
+
+def test_with_all_dimensions_given_the_spline_alone_is_chosen():
+    given = {"swing": 30, "pivot_distance": 20, "face_offset": 70, "initial_angle": 20}
+    cam = gw.Cam(**given, programme=PROGRAMME, thickness=5, minimise="area")
+    assert cam.dimensions == {name: value for name, value in given.items() if name != "swing"}
+    assert cam.sizes()["disk_area"].value < 21290.0  # of the 4-5-6-7 law, which has the least of the fixed ones here
+
+
 def test_nothing_to_choose_is_refused():
     with pytest.raises(gw.ParameterError, match="nothing is left to choose"):
         gw.Cam(

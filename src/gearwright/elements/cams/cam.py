@@ -278,6 +278,10 @@ class Cam(Element):
             return None
         return disk.properties(density)
 
+    def beside(self, density: float = 1.0) -> dict[str, MassProperties]:
+        polygon = self.polygon_properties(density)
+        return {} if polygon is None else {"polygon": polygon}
+
     def diagram(self, path: str | Path) -> None:
         """Draws the disk and the follower's motion into a PNG or SVG file. Raises FileError, MachineError."""
         from .diagram import draw

@@ -22,25 +22,19 @@ def remarks_of(cam: Cam) -> list[str]:
 
 
 def findings_of(cam: Cam) -> dict[str, Any]:
-    """The polygon's properties and the synthesis, as plain values."""
-    polygon = cam.polygon_properties()
-    found: dict[str, Any] = {
-        "polygon": {
-            "vertices": cam.vertices,
-            "properties": None if polygon is None else polygon.to_dict(),
-        }
+    """What a synthesis has found, as plain values."""
+    if cam.optimum is None:
+        return {}
+    synthesis = {
+        "area": cam.optimum.area,
+        "law": cam.optimum.law,
+        "dimensions": dict(cam.optimum.dimensions),
+        "spline_values": list(cam.optimum.values),
+        "active": [{"limit": one.name, "cam_angles": list(one.angles)} for one in cam.optimum.active],
+        "fixed_laws": {name: one.area if one.keeps_limits else None for name, one in cam.compared.items()},
+        "gain": gain(cam),
     }
-    if cam.optimum is not None:
-        found["synthesis"] = {
-            "area": cam.optimum.area,
-            "law": cam.optimum.law,
-            "dimensions": dict(cam.optimum.dimensions),
-            "spline_values": list(cam.optimum.values),
-            "active": [{"limit": one.name, "cam_angles": list(one.angles)} for one in cam.optimum.active],
-            "fixed_laws": {name: one.area if one.keeps_limits else None for name, one in cam.compared.items()},
-            "gain": gain(cam),
-        }
-    return found
+    return {"synthesis": synthesis}
 
 
 def best_fixed(cam: Cam) -> Optimum | None:
