@@ -34,15 +34,14 @@ from .laws import FIXED_LAWS, SPLINE
 from .led import Movement
 from .limits import Limits
 from .optimum import Optimum, Task
+from .parameter_checks import check_law, check_parameters
 from .placement_checks import placement_problems
 from .profile import Profile
 from .profile_checks import profile_of, profile_problems
-from .programme import Displacement, Step, read_programme
+from .programme import Displacement, Step, moves_of, read_programme
 from .sizes import sizes_of
 from .synthesis import least_area, least_area_spline
 
-_OF_SYNTHESIS = ("free_values", "eccentricity_limit", "curvature_limit", "pressure_angle_limit")
-_OF_FOLLOWERS = tuple(dict.fromkeys(name for kind in KINDS.values() for name in kind.parameters))
 _FREE_VALUES = 8
 _ECCENTRICITY = 0.5  # × base radius: Al-Daccak 1989, ch. 4.5.1
 _PRESSURE_ANGLES = {"translating-roller": 30.0, "oscillating-roller": 45.0}  # degrees, the textbooks' limits
@@ -86,62 +85,16 @@ class Cam(Element):
     def __post_init__(self) -> None:
         problems = Problems(self)
         if problems.sound("follower", "minimise"):
-            self._check_parameters(problems)
+            check_parameters(self, problems)
         movement = "swing" if problems.sound("follower") and self.kind.swings else "lift"
         if problems.sound("follower", "programme", movement):
             for problem in read_programme(self.programme, self.amount, self._amount_unit)[1]:
                 problems.add("programme", problem)
         if problems.sound("law", "spline_values", "minimise", "free_values"):
-            self._check_law(problems)
+            check_law(self, problems)
         if problems.sound():
             self._check_shape(problems)
         problems.raise_any()
-
-    def _check_parameters(self, problems: Problems) -> None:
-        """Whether those that the follower needs are given, and no others."""
-        kind = self.kind
-        for name in _OF_FOLLOWERS:
-            owners = [other for other, one in KINDS.items() if name in one.parameters]
-            if getattr(self, name) is not None and name not in kind.parameters and problems.sound(name):
-                problems.add(name, refusals.not_of_this_follower(self.follower, owners))
-        for name, other in kind.instead.items():
-            if getattr(self, name) is not None and getattr(self, other) is not None:
-                problems.add(name, refusals.one_of(name, other))
-        settled = {other for name, other in kind.instead.items() if getattr(self, name) is not None}
-        for name in ("swing" if kind.swings else "lift", *kind.dimensions):
-            optional = name in kind.defaults or name in settled or (self.minimise and name in kind.free)
-            if getattr(self, name) is None and not optional:
-                meaning = type(self).__dataclass_fields__[name].metadata["parameter"].meaning
-                problems.add(name, refusals.needed_for(self.follower, meaning, name in kind.free))
-        for name in _OF_SYNTHESIS:
-            if getattr(self, name) is not None and not self.minimise:
-                problems.add(name, refusals.WITH_MINIMISE)
-
-    def _check_law(self, problems: Problems) -> None:
-        """Whether the law and the values of its spline go together, and with the synthesis."""
-        if self.free_values is not None and self.minimise and self.law not in (None, SPLINE):
-            problems.add("free_values", refusals.FREE_WITHOUT_SPLINE)
-        if self.spline_values is None:
-            if self.law == SPLINE and not self.minimise:
-                problems.add("law", refusals.SPLINE_WITHOUT_VALUES)
-            return
-        if self.minimise:
-            problems.add("spline_values", refusals.VALUES_WITH_MINIMISE)
-        elif self.law != SPLINE:
-            problems.add("spline_values", refusals.VALUES_WITHOUT_SPLINE)
-        elif problems.sound("programme", "swing", "lift", "follower"):
-            self._check_values(problems, np.array(self.spline_values))
-
-    def _check_values(self, problems: Problems, values: Array) -> None:
-        moves = sum(1 for step in self.steps if step.change)
-        if len(values) % moves:
-            problems.add("spline_values", refusals.wrong_count(len(values), moves))
-            return
-        for number, one in enumerate(values.reshape(moves, -1), 1):
-            falls = np.flatnonzero(np.diff(one, prepend=0.0, append=1.0) < 0.0)
-            if len(falls):
-                value = float(one[min(int(falls[0]), len(one) - 1)])
-                problems.add("spline_values", refusals.falling_values(number, value))
 
     def _check_shape(self, problems: Problems) -> None:
         unit = self.length_unit
@@ -244,9 +197,8 @@ class Cam(Element):
         if self.optimum is not None:
             return self.optimum.displacement
         values = np.array(self.spline_values or ())
-        moves = sum(1 for step in self.steps if step.change)
         law = FIXED_LAWS.get(self.law or "cycloidal")
-        count = 0 if law else len(values) // moves
+        count = 0 if law else len(values) // moves_of(self.steps)
         return Movement(steps=self.steps, unit=self.task.unit, law=law, count=count).displacement(values)
 
     @cached_property

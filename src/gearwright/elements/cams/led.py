@@ -11,7 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...moments.quadrature import gauss_legendre
 from .laws import Law
-from .programme import Displacement, Step, displacement
+from .programme import Displacement, Step, displacement, moves_of
 from .spline_law import SplineLaw, even_values, spline_basis
 
 _NODES = 32  # of a Gauss–Legendre rule for the area, on each analytic piece
@@ -34,11 +34,11 @@ class Movement:
     @property
     def values(self) -> int:
         """Number of free values of all moves."""
-        return self.count * sum(1 for step in self.steps if step.change)
+        return self.count * moves_of(self.steps)
 
     def displacement(self, values: Array) -> Displacement:
         """The displacement for free values (moves × count,)."""
-        moves = sum(1 for step in self.steps if step.change)
+        moves = moves_of(self.steps)
         if self.law is not None:
             return displacement(self.steps, [self.law] * moves, self.unit)
         laws = [SplineLaw(values=tuple(one.tolist())) for one in values.reshape(moves, self.count)]

@@ -30,6 +30,11 @@ class Step:
     change: float
 
 
+def moves_of(steps: Sequence[Step]) -> int:
+    """How many of the steps are moves."""
+    return sum(1 for step in steps if step.change)
+
+
 def read_programme(text: str, total: float, unit: str) -> tuple[tuple[Step, ...], list[str]]:
     """The steps of a programme, and what is wrong with it, each problem with its place.
 
