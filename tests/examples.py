@@ -174,6 +174,77 @@ EXAMPLES["sweep"] = {
     "a ring": {"section": {"polygon": ((6, 0), (10, 1), (9, 5), (7, 4))}, "angle": 360.0},
 }
 
+PROGRAMME = "dwell 36, rise 72, dwell 144, return 108"
+"""Al-Daccak 1989, ch. 4.5.1."""
+
+EXAMPLES["cam"] = {
+    "oscillating flat face": {
+        "programme": PROGRAMME,
+        "swing": 30.0,
+        "pivot_distance": 20.0,
+        "face_offset": 70.0,
+        "initial_angle": 20.0,
+        "thickness": 40.0,
+    },
+    "oscillating flat face that lifts with the cam, bored": {
+        "programme": "rise 150, dwell 30, return 180",
+        "swing": 15.0,
+        "pivot_distance": 50.0,
+        "face_offset": -2.0,
+        "initial_angle": 40.0,
+        "sense": "same",
+        "law": "modified-sine",
+        "thickness": 10.0,
+        "bore": 20.0,
+    },
+    "translating flat face, in inches": {
+        "programme": "rise 80 0.2, dwell 40, rise 70, return 140, dwell 30",
+        "follower": "translating-flat-face",
+        "lift": 0.5,
+        "base_radius": 1.5,
+        "law": "3-4-5",
+        "thickness": 0.4,
+        "bore": 0.5,
+        "length_unit": "in",
+    },
+    "translating roller, offset": {
+        "programme": PROGRAMME,
+        "follower": "translating-roller",
+        "lift": 12.0,
+        "base_radius": 25.0,
+        "roller_radius": 8.0,
+        "offset": 4.0,
+        "law": "4-5-6-7",
+        "thickness": 12.0,
+        "bore": 16.0,
+    },
+    "oscillating roller": {
+        "programme": PROGRAMME,
+        "follower": "oscillating-roller",
+        "swing": 25.0,
+        "pivot_distance": 80.0,
+        "arm_length": 60.0,
+        "base_radius": 28.0,
+        "roller_radius": 9.0,
+        "law": "harmonic",
+        "thickness": 12.0,
+    },
+    "oscillating roller that lifts with the cam, a spline": {
+        "programme": "rise 120, dwell 60, return 180",
+        "follower": "oscillating-roller",
+        "swing": 20.0,
+        "pivot_distance": 70.0,
+        "arm_length": 55.0,
+        "initial_angle": 35.0,
+        "roller_radius": 6.0,
+        "sense": "same",
+        "law": "spline",
+        "spline_values": (0.1, 0.3, 0.6, 0.9, 0.05, 0.2, 0.7, 0.95),
+        "thickness": 12.0,
+        "bore": 14.0,
+    },
+}
+
 BY_NAME = {entry.name: entry for entry in catalog.ELEMENTS}
 
 

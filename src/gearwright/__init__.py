@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .curves.helix import helix
     from .elements.bevel_gear import BevelGear
     from .elements.bevel_pair import BevelPair
+    from .elements.cams.cam import Cam
     from .elements.cylindrical.gear_pair import GearPair
     from .elements.cylindrical.helical_gear import HelicalGear
     from .elements.cylindrical.herringbone_gear import HerringboneGear
@@ -34,6 +35,7 @@ __all__ = [
     "ApproximationError",
     "BevelGear",
     "BevelPair",
+    "Cam",
     "FileError",
     "GearPair",
     "GearwrightError",
@@ -73,6 +75,7 @@ _MODULES = {
     ".elements.cylindrical.internal_gear": ("InternalGear",),
     ".elements.cylindrical.rack": ("Rack",),
     ".elements.cylindrical.spur_gear": ("SpurGear",),
+    ".elements.cams.cam": ("Cam",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.polyhedron": ("mass_properties",),

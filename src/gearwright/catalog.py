@@ -23,6 +23,7 @@ class Element:
 
     command   the subcommand of the command line that builds it
     members   how many parts it has: 1, or 2 for a pair
+    diagrams  whether it draws a diagram of its motion
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
     plane     whether it has a plane section, which can be drawn
@@ -36,6 +37,7 @@ class Element:
     members: Literal[1, 2] = 1
     settled: Mapping[str, str] = field(default_factory=dict)
     plane: bool = False
+    diagrams: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -140,6 +142,15 @@ ELEMENTS = (
         command="sweep",
         origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
         " its axis, +z",
+        plane=True,
+    ),
+    Element(
+        name="cam",
+        summary="a plane disk cam for a follower with a flat face or a roller",
+        source="gearwright.elements.cams.cam:Cam",
+        command="cam",
+        origin="on the axis, +z, at one face of the disk; the follower starts on +x",
+        diagrams=True,
         plane=True,
     ),
 )

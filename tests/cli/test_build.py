@@ -110,7 +110,7 @@ REFUSALS = [
         "",
         (
             "this names no element",
-            "element: one of bevel, spur, helical, herringbone, internal, rack, sweep is needed at the top",
+            "element: one of bevel, spur, helical, herringbone, internal, rack, sweep, cam is needed at the top",
         ),
     ),
     ("teeth = 3\n", ("element: one of bevel",)),

@@ -17,6 +17,7 @@ DESIGNS = {
     for example, parameters in examples.items()
 }
 BOX = {"rectangle": [3, 2]}
+TURN = "rise 180, return 180"
 
 
 @pytest.fixture
@@ -66,6 +67,19 @@ WRONG = [
     *(
         {"element": "bevel", "teeth": [16, 20], "module": 4, "face_width": 15, **change}
         for change in ({"teeth": [16, 20, 24]}, {"teeth": [16, 2]}, {"bore": [1, 2, 3]}, {"mate_teeth": 20})
+    ),
+    *(
+        {"element": "cam", "programme": TURN, "follower": "translating-flat-face", "lift": 5, "thickness": 9, **change}
+        for change in (
+            {"base_radius": 0},
+            {"programme": ""},
+            {"follower": "knife-edge"},
+            {"law": "linear"},
+            {"minimise": "weight"},
+            {"spline_values": []},
+            {"vertices": 2},
+            {"thickness": None},
+        )
     ),
     *(
         {"element": "sweep", "section": BOX, "length": 5, **change}
@@ -157,4 +171,7 @@ def test_limits_are_those_declared(validator):
 def test_an_unknown_element_is_refused(run):
     outcome = run("schema", "bevle")
     assert (outcome.code, outcome.out) == (2, "")
-    assert "choose one of bevel, spur, helical, herringbone, internal, rack, sweep; did you mean bevel?" in outcome.err
+    assert (
+        "choose one of bevel, spur, helical, herringbone, internal, rack, sweep, cam; did you mean bevel?"
+        in outcome.err
+    )

@@ -13,6 +13,7 @@ from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
 from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
 from gearwright.curves.elliptic_arc import EllipticArc
+from gearwright.curves.envelope import Envelope, Tangents
 from gearwright.curves.family import Member
 from gearwright.curves.helix import helix
 from gearwright.curves.involute import Involute
@@ -26,6 +27,23 @@ from gearwright.curves.relieved_involute import RelievedInvolute
 from gearwright.curves.spherical_involute import SphericalInvolute
 from gearwright.curves.trochoid import Trochoid
 from gearwright.curves.turning import Turned, TurnedArc
+
+
+@dataclass(frozen=True)
+class EllipseTangents:
+    """Those of the ellipse with half axes a and b, by the angle of their normals, turned unevenly."""
+
+    a: float
+    b: float
+
+    def __call__(self, u):
+        angle, pace = u + 0.1 * np.sin(u), 1.0 + 0.1 * np.cos(u)
+        c, s = np.cos(angle), np.sin(angle)
+        p = np.sqrt((self.a * c) ** 2 + (self.b * s) ** 2)
+        radius = (self.a * self.b) ** 2 / p**3
+        along = (self.b**2 - self.a**2) * s * c / p
+        return Tangents(normal=np.stack([c, s], axis=-1), support=p, along=along, speed=radius * pace)
+
 
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
 CROWNING = Polynomial(coefficients=(0.1, -0.4, 0.7), centre=0.6)
@@ -51,6 +69,10 @@ EXAMPLES = {
     EllipticArc: [
         EllipticArc(centre=(0.4, -0.9), a=(1.7, 0.3), b=(-0.2, 0.9), interval=(0.3, 2.9)),
         EllipticArc(centre=(0.0, 0.0), a=(0.2, 0.0), b=(0.0, -0.5), interval=(1.0, -2.5)),
+    ],
+    Envelope: [
+        Envelope(tangents=EllipseTangents(2.0, 1.6), interval=(0.2, 1.7)),
+        Envelope(tangents=EllipseTangents(0.8, 1.0), interval=(1.0, -0.5)),
     ],
     Involute: [Involute(base_radius=2.3, interval=(0.0, 1.4)), Involute(base_radius=0.7, interval=(0.8, -0.5))],
     RelievedInvolute: [
@@ -289,6 +311,12 @@ def test_an_arc_keeps_its_distance_from_its_centre_and_starts_on_plus_x():
 def test_a_line_divides_its_segment_evenly():
     line = Line(first=(1.0, 2.0, 3.0), last=(5.0, 4.0, -1.0))
     np.testing.assert_array_equal(line.point([0.0, 0.25, 1.0]), [[1, 2, 3], [2, 2.5, 2], [5, 4, -1]])
+
+
+def test_an_envelope_of_an_ellipse_s_tangents_is_the_ellipse():
+    (curve, _) = EXAMPLES[Envelope]
+    x, y = curve.point(curve.parameter(FRACTIONS)).T
+    np.testing.assert_allclose((x / 2.0) ** 2 + (y / 1.6) ** 2, 1.0, atol=1e-15)
 
 
 class TestMapped:

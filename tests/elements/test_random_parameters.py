@@ -10,10 +10,14 @@ from hypothesis import strategies as st
 
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.cams.cam import Cam
+from gearwright.elements.cams.kinds import KINDS
+from gearwright.elements.cams.laws import FIXED_LAWS
 from gearwright.elements.cylindrical.spur_gear import SpurGear
 from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
+from ..examples import EXAMPLES
 from ..laws.topology import edges_pair_up, fans_at_vertices
 
 run = settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
@@ -100,6 +104,41 @@ def bevel_pairs(draw):
     }
 
 
+@st.composite
+def programmes(draw):
+    """A turn of dwells and moves that comes back; now and then one that does not."""
+    kinds = draw(
+        st.sampled_from(["rise return", "dwell rise dwell return", "rise dwell return dwell", "rise return dwell"])
+    )
+    shares = np.array([draw(st.floats(0.3, 1.0)) for _ in kinds.split()])
+    angles = np.round(360.0 * shares / shares.sum(), 3)
+    angles[-1] = draw(st.sampled_from([1.0, 1.0, 1.0, 1.01])) * (360.0 - angles[:-1].sum())
+    return ", ".join(f"{kind} {angle:.3f}" for kind, angle in zip(kinds.split(), angles, strict=True))
+
+
+@st.composite
+def cams(draw):
+    size = draw(st.sampled_from([1e-3, 0.1, 1.0, 40.0, 1e4]))
+    follower = draw(st.sampled_from(list(KINDS)))
+    values = {"programme": draw(programmes()), "follower": follower, "thickness": draw(st.floats(0.1, 3.0)) * size}
+    values["law"] = draw(st.sampled_from([*FIXED_LAWS, None]))
+    if follower.startswith("oscillating"):
+        values |= {"swing": draw(st.floats(2.0, 60.0)), "pivot_distance": size}
+        values["sense"] = draw(st.sampled_from(["opposite", "same", None]))
+    else:
+        values["lift"] = draw(st.floats(0.05, 0.8)) * size
+    ranges = {
+        "oscillating-flat-face": {"face_offset": (-0.3, 4.0), "initial_angle": (-20.0, 70.0)},
+        "translating-flat-face": {"base_radius": (0.3, 3.0)},
+        "translating-roller": {"base_radius": (0.3, 3.0), "roller_radius": (0.05, 1.0), "offset": (-0.6, 0.6)},
+        "oscillating-roller": {"arm_length": (0.3, 1.1), "roller_radius": (0.03, 0.4), "initial_angle": (15.0, 90.0)},
+    }[follower]
+    for name, (low, high) in ranges.items():
+        values[name] = draw(st.floats(low, high)) * (1.0 if name == "initial_angle" else size)
+    bore = draw(maybe(st.floats(0.02, 1.0)))
+    return Cam, values if bore is None else {**values, "bore": bore * size}
+
+
 def _built_or_refused(element, values):
     try:
         found = element(**values)
@@ -136,6 +175,12 @@ def test_bevel_pairs(case):
     _built_or_refused(*case)
 
 
+@settings(run, max_examples=120)
+@given(cams())
+def test_cams(case):
+    _built_or_refused(*case)
+
+
 anything = st.one_of(
     st.none(),
     st.booleans(),
@@ -160,6 +205,8 @@ anything = st.one_of(
         (BevelGear, {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}),
         (BevelPair, {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}),
         (Sweep, {"section": {"rectangle": (3.0, 2.0), "centre": (4.0, 1.0)}, "length": 5.0}),
+        (Cam, {**EXAMPLES["cam"]["translating roller, offset"]}),
+        (Cam, {**EXAMPLES["cam"]["oscillating flat face"]}),
         (Sweep, {"section": {"circle": 1.0}, "path": ((0.0, 0.0, 0.0), (0.0, 5.0, 10.0), (9.0, 9.0, 30.0))}),
     ],
     ids=lambda value: value.__name__ if isinstance(value, type) else "",

@@ -23,7 +23,7 @@ def build() -> cyclopts.App:
     app = cyclopts.App(
         name="gearwright",
         version=__version__,
-        help="Geometric modelling of gears and swept solids, with exact volumetric properties.",
+        help="Geometric modelling of gears, cams and swept solids, with exact volumetric properties.",
         help_epilogue=EPILOGUE,
         help_format="plaintext",
         exit_on_error=False,

@@ -28,7 +28,10 @@ class Gear(Protocol):
     def description(self) -> str: ...
     @property
     def boundary(self) -> Boundary: ...
+    @property
+    def findings(self) -> dict[str, Any]: ...
     def sizes(self) -> dict[str, Size]: ...
+    def beside(self, density: float = 1.0) -> dict[str, MassProperties]: ...
     def properties(self, density: float = 1.0) -> MassProperties: ...
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
 
@@ -69,12 +72,14 @@ def units_and_density(length_unit: str, density: float | None) -> tuple[Units, f
 class Part:
     """One part. placement (4, 4) puts it in mesh; the identity for a single part.
 
+    beside        properties of approximations by name, shown beside its own
     convergence   errors of its polyhedra by what is refined, where they are asked for
     """
 
     gear: Gear
     placement: Array
     properties: MassProperties
+    beside: Mapping[str, MassProperties] = field(default_factory=dict)
     convergence: Mapping[str, ApproximationError] = field(default_factory=dict)
 
 
@@ -111,7 +116,12 @@ def built_from(kind: catalog.Element, element: Any, density: float | None, turn:
         placements = list(element.placements(turn=turn))
     units, own_density = units_and_density(element.length_unit, density)
     parts = {
-        name: Part(gear=gear, placement=placement, properties=gear.properties(own_density))
+        name: Part(
+            gear=gear,
+            placement=placement,
+            properties=gear.properties(own_density),
+            beside=gear.beside(own_density),
+        )
         for (name, gear), placement in zip(gears.items(), placements, strict=True)
     }
     pair = element if kind.members == 2 else None

@@ -89,10 +89,22 @@ class Outputs:
         ),
     ] = None
 
+    diagram: Annotated[
+        Path | None, Option(help="Draw a cam's disk and its follower's motion.", metavar="FILE.png|svg")
+    ] = None
+
     @property
     def plot(self) -> Path | None:
         """The file that the errors are drawn into."""
         return self.convergence[0] if self.convergence else None
+
+    def _diagram_problems(self, kind: catalog.Element) -> list[Problem]:
+        """What is wrong with the diagram asked for, of an element that draws one or does not."""
+        if self.diagram is None:
+            return []
+        if not kind.diagrams:
+            return [Problem(option_name("diagram"), "applies to a cam")]
+        return _wrong_suffix("diagram", self.diagram, [".png", ".svg"])
 
     def problems(self, kind: catalog.Element) -> list[Problem]:
         """What is wrong with these options, for an element of a kind."""
@@ -121,6 +133,7 @@ class Outputs:
                 else []
             ),
             *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
+            *self._diagram_problems(kind),
             *(
                 Problem(option_name(name), "applies to a pair")
                 for name, given in pairs_only.items()

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .. import catalog
+from ..disk import folder
 from .built import built_from
 from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
@@ -30,6 +31,10 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     if outputs.plot is not None:
         plot_parts(built, outputs.plot)
         written.append(outputs.plot)
+    if outputs.diagram is not None:
+        folder(outputs.diagram.parent)
+        element.diagram(outputs.diagram)
+        written.append(outputs.diagram)
     print(built_json(built)) if outputs.json else show_built(built)
     if outputs.convergence is not None and not outputs.json:
         show_convergence(built)

@@ -44,6 +44,9 @@ def _part(part: Part, units: Units) -> dict[str, Any]:
         "placement": part.placement,
         "properties": properties_json(part.properties, units),
     }
+    if part.beside:
+        document["beside"] = {name: properties_json(one, units) for name, one in part.beside.items()}
+    document |= part.gear.findings
     if part.convergence:
         document["convergence"] = {name: study.to_dict() for name, study in part.convergence.items()}
     return document

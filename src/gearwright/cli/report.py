@@ -46,8 +46,10 @@ def show_built(built: Built) -> None:
     tables = [_sizes_table(built.kind, names, sizes, built.units)]
     if built.pair_sizes:
         tables.append(_sizes_table("pair", [""], [built.pair_sizes], built.units))
-    properties = [part.properties for part in built.parts.values()]
-    show(*tables, properties_table("volumetric properties", names, properties, built.units))
+    columns: dict[str, MassProperties] = {}
+    for name, part in built.parts.items():
+        columns |= {name: part.properties, **part.beside}
+    show(*tables, properties_table("volumetric properties", list(columns), list(columns.values()), built.units))
     show(properties_note(built.units), f"The origin: {built.origin}.")
 
 

@@ -94,7 +94,7 @@ def _declaration(declaration: Declaration) -> Schema:
         found["default"] = declaration.default
     one = _values(parameter)
     two = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
-    return found | {"one": one, "each": two, "both": {"anyOf": [one, two]}}[declaration.members]
+    return {"one": one, "each": two, "both": {"anyOf": [one, two]}}[declaration.members] | found
 
 
 def _values(parameter: Parameter) -> Schema:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -54,12 +54,22 @@ class Element(ABC):
         return []
 
     @property
+    def findings(self) -> dict[str, Any]:
+        """What was found out about the part besides its sizes, as plain values for programs."""
+        return {}
+
+    @property
     def boundary(self) -> Boundary:
         return self.solid.boundary
 
     def properties(self, density: float = 1.0) -> MassProperties:
         """Volume, centroid and inertia; density in mass per cubed length unit."""
         return self.solid.properties(density)
+
+    def beside(self, density: float = 1.0) -> dict[str, MassProperties]:
+        """Properties of named approximations, to be shown beside the part's own."""
+        del density
+        return {}
 
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron:
         """A watertight polyhedron within a chord tolerance (length); default 1e-4 × bounding diagonal."""

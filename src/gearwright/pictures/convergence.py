@@ -5,37 +5,21 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from io import BytesIO
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array
-from ..disk import written_whole
-from ..errors import FileError
+from .plot_file import GRID, QUIET, write_plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-SUFFIXES = (".png", ".svg")
+    from matplotlib.figure import Figure
 
 _COLOURS = ("#1f5fa8", "#b5642d", "#2e7d4f")  # one a quantity; told apart in grey and by the colour-blind too
 _MARKERS = ("o", "s", "^")
-_INK, _QUIET, _GRID = "#20262d", "#66707b", "#d9dee3"
 _PANEL = (4.0, 4.6)  # inches
 _SMALL = 10.5  # points
-_LOOK: dict[Any, Any] = {
-    "font.size": 12.0,
-    "axes.edgecolor": _QUIET,
-    "axes.labelcolor": _INK,
-    "axes.titleweight": "bold",
-    "text.color": _INK,
-    "xtick.color": _INK,
-    "ytick.color": _INK,
-    "svg.fonttype": "path",
-    "svg.hashsalt": "gearwright",  # the same drawing gives the same file
-}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,42 +55,27 @@ def convergence_plot(panels: Sequence[Panel], path: str | os.PathLike[str], titl
     Raises FileError if the suffix is another or there is no folder, MachineError if the disk refuses, ValueError
     without panels.
     """
-    path = Path(path)
-    suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise FileError(f"{path}: plots are written as PNG or SVG; end the name in {' or '.join(SUFFIXES)}")
-    if not path.parent.is_dir():
-        raise FileError(f"{path}: there is no folder {path.parent}; make it first")
     if not panels:
         raise ValueError("a plot needs at least one study")
-    drawn = _drawn(panels, title, suffix[1:])
-    with written_whole(path) as stream:
-        stream.write(drawn)
+    write_plot(path, lambda: _drawn(panels, title))
 
 
-def _drawn(panels: Sequence[Panel], title: str, kind: str) -> bytes:
-    """The file. matplotlib loads here, when something is really drawn."""
-    import matplotlib as mpl
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+def _drawn(panels: Sequence[Panel], title: str) -> Figure:
+    """The drawing. matplotlib loads here, when something is really drawn."""
     from matplotlib.figure import Figure
 
-    with mpl.rc_context(_LOOK):
-        figure = Figure(figsize=(_PANEL[0] * len(panels), _PANEL[1]), dpi=150.0, layout="constrained")
-        FigureCanvasAgg(figure)
-        row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
-        if title:
-            figure.suptitle(title, fontsize=14.0)
-        for axes, panel in zip(row, panels, strict=True):
-            _draw(axes, panel)
-        row[0].set_ylabel("relative error")
-        _leave_room(row[0], panels)
-        for axes, panel in zip(row, panels, strict=True):
-            if panel.series:
-                _show_slopes(axes)
-        file = BytesIO()
-        metadata = {"Software": None} if kind == "png" else {"Date": None, "Creator": None}
-        figure.savefig(file, format=kind, metadata=metadata)
-    return file.getvalue()
+    figure = Figure(figsize=(_PANEL[0] * len(panels), _PANEL[1]), dpi=150.0, layout="constrained")
+    row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
+    if title:
+        figure.suptitle(title, fontsize=14.0)
+    for axes, panel in zip(row, panels, strict=True):
+        _draw(axes, panel)
+    row[0].set_ylabel("relative error")
+    _leave_room(row[0], panels)
+    for axes, panel in zip(row, panels, strict=True):
+        if panel.series:
+            _show_slopes(axes)
+    return figure
 
 
 def _draw(axes: Axes, panel: Panel) -> None:
@@ -114,7 +83,7 @@ def _draw(axes: Axes, panel: Panel) -> None:
     axes.set_yscale("log")
     axes.set_title(panel.title, fontsize=13.0)
     axes.set_xlabel(panel.label)
-    axes.grid(which="major", color=_GRID, linewidth=0.8)
+    axes.grid(which="major", color=GRID, linewidth=0.8)
     axes.set_axisbelow(True)
     for spine in ("top", "right"):
         axes.spines[spine].set_visible(False)
@@ -140,7 +109,7 @@ def _draw(axes: Axes, panel: Panel) -> None:
     if panel.series:
         axes.legend(loc="lower left", frameon=False, fontsize=_SMALL, borderaxespad=0.2, labelspacing=0.3)
     else:
-        axes.text(0.5, 0.5, "exact to rounding", transform=axes.transAxes, ha="center", color=_QUIET)
+        axes.text(0.5, 0.5, "exact to rounding", transform=axes.transAxes, ha="center", color=QUIET)
 
 
 def _count_ticks(axes: Axes, panel: Panel) -> None:
@@ -169,8 +138,8 @@ def _show_slopes(axes: Axes) -> None:
     start, end = (left * (right / left) ** share for share in (0.8 - reach / width, 0.8))
     for order in (1, 2):
         low = height * np.exp(-order * reach)
-        axes.plot([start, end], [height, low], color=_QUIET, linewidth=1.0)
+        axes.plot([start, end], [height, low], color=QUIET, linewidth=1.0)
         axes.annotate(
             f"order {order}", (end, low), xytext=(4.0, 0.0), textcoords="offset points",
-            color=_QUIET, fontsize=_SMALL, va="center",
+            color=QUIET, fontsize=_SMALL, va="center",
         )  # fmt: skip

@@ -1,0 +1,1 @@
+"""Plane disk cams: motion laws and programmes, followers, profiles, and the synthesis of least area."""
