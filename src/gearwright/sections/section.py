@@ -8,10 +8,14 @@ from functools import cached_property
 from math import gcd
 from typing import Self
 
+import numpy as np
+
 from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..moments.quadrature import converged
 from .loop import Loop
+
+_NODES = 20  # a curve: one of the numbers at which the moments are looked at anyway
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,13 +32,18 @@ class LoopedSection(ABC):
 
     def __post_init__(self) -> None:
         problems = self._sense_problems() if self.loops else [Problem("0 loops", "at least the outer one is needed")]
-        if not problems and not self._integral(self.loops, 20)[0, 0] > 0.0:
+        if not problems and not np.sum(self._of_loops, axis=0)[0, 0] > 0.0:
             problems = [Problem(f"{len(self.loops)} loops", "the holes take more than the outer loop encloses")]
         if problems:
             raise GeometryError("The loops do not bound a section", problems)
 
+    @cached_property
+    def _of_loops(self) -> list[Array]:
+        """Moments of each loop, well enough for their signs."""
+        return [self._integral((loop,), _NODES) for loop in self.loops]
+
     def _sense_problems(self) -> list[Problem]:
-        measures = [float(self._integral((loop,), 20)[0, 0]) for loop in self.loops]
+        measures = [float(moments[0, 0]) for moments in self._of_loops]
         return [
             Problem(
                 f"loop {i + 1} "
@@ -61,7 +70,9 @@ class LoopedSection(ABC):
 
     @cached_property
     def _converged(self) -> tuple[Array, float]:
-        return converged(lambda nodes: self._integral(self.loops, nodes))
+        return converged(
+            lambda nodes: np.sum(self._of_loops, axis=0) if nodes == _NODES else self._integral(self.loops, nodes)
+        )
 
     @property
     def moments_error(self) -> float:
