@@ -14,6 +14,7 @@ from ..disk import contents
 from ..errors import FileError, Problem, ProblemsError
 from ..parameters import FileName, did_you_mean
 from .kinds import chosen, kinds_of, parameters_of
+from .options import NOT_THIS_MEMBER
 
 ELEMENT = "element"
 """The key that names the element's command; all others are parameters."""
@@ -43,8 +44,15 @@ def read_design(path: Path) -> Design:
         raise ProblemsError(f"{path}: this names no element", [problem, *_misnamed(table)])
     kinds = tuple(kinds_of(name))
     kind = chosen(kinds, table.get("teeth"))
-    values = {key: value for key, value in table.items() if key != ELEMENT}
+    values = {key: _with_gaps(value) for key, value in table.items() if key != ELEMENT}
     return Design(kind=kind, kinds=kinds, values=_found_beside(path, kind, values))
+
+
+def _with_gaps(value: Any) -> Any:
+    """A value for each member of a pair, with nothing where it says so: TOML has no word of its own for that."""
+    if not isinstance(value, list) or NOT_THIS_MEMBER not in value:
+        return value
+    return [None if one == NOT_THIS_MEMBER else one for one in value]
 
 
 def _table(path: Path) -> dict[str, Any]:

@@ -13,6 +13,9 @@ from cyclopts import Parameter as Option
 from .. import catalog
 from ..parameters import Declaration, FileName, Parameter, in_words
 
+NOT_THIS_MEMBER = "none"
+"""Stands for the value of the member of a pair that is to have none."""
+
 _TOPICS = 3  # after what all elements have
 
 NEEDED = Group("Needed", sort_key=1)
@@ -129,7 +132,8 @@ def _default(declaration: Declaration) -> str | bool:
 
 
 def _value(parameter: Parameter, words: Sequence[str]) -> Any:
-    values = [_one_value(parameter, word) for word in words]
+    alone = len(words) == 1 or parameter.kind == "choice"
+    values = [None if word == NOT_THIS_MEMBER and not alone else _one_value(parameter, word) for word in words]
     return values[0] if len(values) == 1 else tuple(values)
 
 

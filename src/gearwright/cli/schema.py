@@ -27,6 +27,7 @@ from ..parameters import (
 from .design import ELEMENT
 from .exits import DONE
 from .kinds import kinds_of, parameters_of
+from .options import NOT_THIS_MEMBER
 
 Schema = dict[str, Any]
 
@@ -93,7 +94,9 @@ def _declaration(declaration: Declaration) -> Schema:
     if not declaration.required and declaration.default is not None:
         found["default"] = declaration.default
     one = _values(parameter)
-    two = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
+    either = one if declaration.default is not None else {"anyOf": [one, {"const": NOT_THIS_MEMBER}]}
+    items = either if declaration.members == "both" else one
+    two = {"type": "array", "items": items, "minItems": 2, "maxItems": 2}
     return {"one": one, "each": two, "both": {"anyOf": [one, two]}}[declaration.members] | found
 
 

@@ -23,7 +23,8 @@ WORKING_DEPTH = Parameter(meaning="sum of the members' addenda", unit="length", 
 WHOLE_DEPTH = Parameter(meaning="addendum and dedendum of a member", unit="length", symbol="h", above=0)
 GEAR_ADDENDUM = Parameter(meaning="addendum of the gear, the second member", unit="length", symbol="h_a2", above=0)
 CIRCULAR_THICKNESS = Parameter(
-    meaning="arc thickness of a tooth on the (outer) pitch circle; half the pitch if not given",
+    meaning="arc thickness of a tooth on the (outer) pitch circle; if not given half the pitch, and what a profile"
+    " shift adds",
     unit="length",
     symbol="s",
     above=0,

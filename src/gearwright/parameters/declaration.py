@@ -22,7 +22,8 @@ def declared(
 ) -> Any:
     """A dataclass field for a parameter.
 
-    members   "one": a single value; "both": one value for both members of a pair or two;
+    members   "one": a single value; "both": one value for both members of a pair or two, of which one may be None
+              where None is the default;
               "each": always two values, pinion first
     only      the choices of other parameters with which alone this one applies, by their names; it has a default
     """
@@ -85,9 +86,11 @@ class Declaration:
         return self.miscounted(value) is None and all(self.parameter.computable(one) for one in self._values(value))
 
     def _values(self, value: object) -> tuple[object, ...]:
-        """The single values that were given."""
-        single = self.parameter.kind == "form" or not isinstance(value, tuple | list)
-        return (value,) if single else tuple(value)  # type: ignore[arg-type]
+        """The single values that were given; one member of a pair may be left without one that is not needed."""
+        if self.parameter.kind == "form" or not isinstance(value, tuple | list):
+            return (value,)
+        optional = self.members == "both" and self.default is None
+        return tuple(one for one in value if not (optional and one is None))
 
 
 def entry(name: str, parameter: Parameter, *, default: Any = MISSING) -> Declaration:

@@ -51,7 +51,7 @@ def rational(start=0.0, end=1.0):
 
 
 def bored_gear():
-    return gw.SpurGear(teeth=7, module=4.0, face_width=5.0, addendum=3.0, bore=10.0).profile
+    return gw.SpurGear(teeth=7, module=4.0, face_width=5.0, addendum=3.0, bore=10.0, root="radial").profile
 
 
 def stadium(centre=(2.0, 1.0)):
@@ -279,7 +279,7 @@ class TestEntities:
         path = saved(bored_gear(), tmp_path, ".dxf")
         entities = list(space_of(path))
         assert Counter(e.dxftype() for e in entities) == {"ARC": 14, "LINE": 14, "SPLINE": 14, "CIRCLE": 1}
-        gear = gw.SpurGear(teeth=7, module=4.0, face_width=5.0, addendum=3.0)
+        gear = gw.SpurGear(teeth=7, module=4.0, face_width=5.0, addendum=3.0, root="radial").toothing
         radii = Counter(round(e.dxf.radius, 9) for e in entities if e.dxftype() == "ARC")
         assert radii == {round(gear.tip_radius, 9): 7, round(gear.root_radius, 9): 7}
         assert [e.dxf.radius for e in entities if e.dxftype() == "CIRCLE"] == [5.0]
