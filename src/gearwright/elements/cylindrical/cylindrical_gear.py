@@ -169,6 +169,14 @@ class CylindricalGear(Element):
         return float(self.teeth * self.normal_module / np.cos(self.helix.angle) / 2.0)
 
     @property
+    def tip_radius(self) -> float:
+        return self.toothing.tip_radius
+
+    @property
+    def root_radius(self) -> float:
+        return self.toothing.root_radius
+
+    @property
     def nominal_thickness(self) -> float:
         """Transverse circular thickness asked for, before backlash: s_t = m_n (π/2 + 2x tan α_n)/cos β."""
         if self.circular_thickness is not None:
