@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 _WIDEST_FACE = 0.35  # of the cone distance; wider teeth carry no more load (ISO 23509, AGMA 2005)
+_NOTABLE_SHIFT = 0.01
 _DEPTHS = (0.6, 1.4)  # an addendum in modules: stub teeth have 0.8, deep ones 1.2
 
 
@@ -22,6 +23,13 @@ def unusual_depth(name: str, depth: float, module: float, unit: str, addenda: in
         return []
     given = f"{name} = {depth:.4g} {unit} is {depth / module:.2g} modules of {module:.4g} {unit}"
     return [f"{given}; about {addenda} is usual; are all lengths in {unit}?"]
+
+
+def undercut(teeth: int, shift: float, least_shift: float) -> list[str]:
+    """Teeth that the rack that cuts them undercuts, by more than a hundredth of a module of shift would mend."""
+    if shift >= least_shift - _NOTABLE_SHIFT:
+        return []
+    return [f"{teeth} teeth are undercut at their roots; a profile shift of {least_shift:.3g} or more would avoid it"]
 
 
 def low_contact_ratio(ratio: float, overlap: float = 0.0) -> list[str]:

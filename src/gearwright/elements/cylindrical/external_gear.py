@@ -13,13 +13,13 @@ from ...sections.plane import Section
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
-from .. import refusals
+from .. import refusals, remarks
 from ..blanks.blank import Blank
 from ..blanks.limits import blank_problems
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
-from .sizes import span_sizes, spans, usual_span
+from .sizes import span_sizes, spans, undercut_limits, usual_span
 from .tooth_checks import check_external
 
 _ROOM = 0.99  # of the largest tip radius where flanks are crowned: their roots need a land that can grow
@@ -123,6 +123,14 @@ class ExternalGear(CylindricalGear):
     @cached_property
     def solid(self) -> Solid:
         return self.blank.solid(self.ring, self.toothing.root_radius, self.face_width)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is unusual about the gear, though it can be built."""
+        if self.tooth.fillet is None:
+            return super().remarks
+        _, least = undercut_limits(self.tooth)
+        return [*super().remarks, *remarks.undercut(self.teeth, self.profile_shift, least)]
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
