@@ -46,14 +46,15 @@ class GeneratingRack:
         return self.half_width - below * t - self.tip_radius / c, below
 
     def clearance(self, points: np.ndarray, turned: np.ndarray) -> np.ndarray:
-        """Distance in the normal section of the gear's points (..., 2) from the tooth, the gear turned by angles (...).
+        """Distance in the normal section of the gear's points (..., 2) from the teeth, the gear turned by angles (...).
 
-        The space that is cut is centred on +x of the gear. Negative inside the tooth.
+        The space that one of them cuts is centred on +x of the gear. Negative inside a tooth.
         """
         c, s = np.cos(turned), np.sin(turned)
         x, y = points[..., 0], points[..., 1]
         fixed_x, fixed_y = c * x - s * y, s * x + c * y
-        along = np.abs(fixed_y - self.pitch_radius * turned) * np.cos(self.helix)
+        along = (fixed_y - self.pitch_radius * turned) * np.cos(self.helix)
+        along = np.abs(along - np.pi * self.module * np.round(along / (np.pi * self.module)))
         q = along - self.corner[0], self.pitch_radius - fixed_x - self.corner[1]
         sine, cosine = np.sin(self.pressure_angle), np.cos(self.pressure_angle)
         to_side, to_land = cosine * q[0] + sine * q[1], q[1]
@@ -61,7 +62,7 @@ class GeneratingRack:
         return np.where(beside, np.hypot(*q), np.maximum(to_side, to_land)) - self.tip_radius
 
     def least_clearance(self, point: np.ndarray) -> float:
-        """The least distance of a point (2,) from the tooth while the gear rolls past it."""
+        """The least distance of a point (2,) from the teeth while the gear rolls past it."""
         most = 2.5 * np.sqrt(2.0 * self.pitch_radius * self.depth + self.module**2) / self.pitch_radius + 0.3
         turns = np.linspace(-most, most, 4001)
         rough = self.clearance(np.broadcast_to(point, (turns.size, 2)), turns)

@@ -38,6 +38,9 @@ UNDERCUT = {
     "six teeth, shifted": (SpurGear, {"teeth": 6, "module": 2.0, "profile_shift": 0.2}, 0.38 * 2.0),
     "sixteen, hardly": (SpurGear, {"teeth": 16, "module": 5.0}, 0.38 * 5.0),
     "helical, nine teeth": (HelicalGear, {"teeth": 9, "module": 2.0, "helix_angle": 20.0}, 0.38 * 2.0),
+    "three teeth": (SpurGear, {"teeth": 3, "module": 8.0}, 0.38 * 8.0),
+    "five teeth, shifted": (SpurGear, {"teeth": 5, "module": 2.0, "profile_shift": 0.4, "addendum": 1.4}, 0.38 * 2.0),
+    "four teeth, steep": (HelicalGear, {"teeth": 4, "module": 2.0, "helix_angle": 30.0}, 0.38 * 2.0),
     "sharp rack": (SpurGear, {"teeth": 11, "module": 3.0, "rack_tip_radius": 0.05}, 0.05),
 }
 ALL = {**PLAIN, **UNDERCUT}
