@@ -10,7 +10,12 @@ from hypothesis import strategies as st
 
 from gearwright.elements.bevel_gear import BevelGear
 from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.cylindrical.helical_gear import HelicalGear
+from gearwright.elements.cylindrical.herringbone_gear import HerringboneGear
+from gearwright.elements.cylindrical.internal_gear import InternalGear
+from gearwright.elements.cylindrical.rack import Rack
 from gearwright.elements.cylindrical.spur_gear import SpurGear
+from gearwright.elements.standards.iso_53 import BASIC_RACKS
 from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
@@ -63,6 +68,74 @@ def spur_gears(draw):
     values, module = draw(common())
     z = draw(teeth)
     return SpurGear, {**values, **draw(blank(module, z)), "teeth": z, "face_width": draw(st.floats(0.3, 30.0)) * module}
+
+
+@st.composite
+def flanks(draw, module, *, ring=False):
+    """Profile shift, fillets, relief, chamfer and crowning, in lengths of the module."""
+    values = {"profile_shift": draw(st.sampled_from([0.0, 0.0, 0.3, -0.3]) | st.floats(-1.5, 1.5))}
+    values["basic_rack"] = draw(st.sampled_from(list(BASIC_RACKS)))
+    values["root"] = draw(st.sampled_from(["fillet", "fillet", "radial"]))
+    radius = "fillet_radius" if ring else "rack_tip_radius"
+    for name, strategy in (
+        ("tip_relief", st.floats(0.0, 0.05)),
+        ("tip_chamfer", st.floats(0.0, 0.3)),
+        ("crowning", st.floats(0.0, 0.05)),
+        (radius, st.floats(0.01, 0.6)),
+    ):
+        if draw(st.integers(0, 3)) == 0:
+            values[name] = draw(strategy) * module
+    values["tip_relief_form"] = draw(st.sampled_from(["linear", "parabolic"]))
+    return values
+
+
+@st.composite
+def helices(draw):
+    angle = draw(st.floats(0.0, 45.0) | st.floats(0.0, 80.0))
+    return {"helix_angle": angle, "hand": draw(st.sampled_from(["right", "left"]))}
+
+
+@st.composite
+def bodies(draw, diameter):
+    """A body inside the teeth, most often one that fits."""
+    if draw(st.booleans()):
+        return {}
+    values = {"bore": diameter * draw(st.floats(0.1, 0.3))}
+    if draw(st.booleans()):
+        values |= {"keyway_width": values["bore"] * 0.25, "keyway_depth": values["bore"] * 0.12}
+    if draw(st.booleans()):
+        values |= {"hub_diameter": diameter * draw(st.floats(0.35, 0.6)), "hub_offset": draw(st.floats(0.0, 2.0))}
+    return values
+
+
+@st.composite
+def external_gears(draw):
+    kind = draw(st.sampled_from([SpurGear, HelicalGear, HerringboneGear]))
+    values, module = draw(common())
+    z = draw(teeth)
+    values |= {**draw(flanks(module)), **({} if kind is SpurGear else draw(helices())), **draw(bodies(z * module))}
+    width = draw(st.floats(0.5, 6.0)) * module
+    span = draw(st.none() | st.integers(1, 8))
+    return kind, {**values, "teeth": z, "face_width": width, "span_teeth": span}
+
+
+@st.composite
+def internal_gears(draw):
+    values, module = draw(common())
+    values |= {**draw(flanks(module, ring=True)), **draw(helices())}
+    width = draw(st.floats(0.5, 6.0)) * module
+    return InternalGear, {**values, "teeth": draw(st.integers(20, 70)), "face_width": width}
+
+
+@st.composite
+def racks(draw):
+    values, module = draw(common())
+    values |= {**draw(helices()), "basic_rack": draw(st.sampled_from(list(BASIC_RACKS)))}
+    for name, strategy in (("addendum", share), ("dedendum", share), ("fillet_radius", st.floats(0.01, 0.6))):
+        value = draw(maybe(strategy))
+        if value is not None:
+            values[name] = value * module
+    return Rack, {**values, "teeth": draw(st.integers(3, 8)), "face_width": draw(st.floats(0.5, 6.0)) * module}
 
 
 @st.composite
@@ -130,6 +203,24 @@ def test_bevel_gears(case):
     _built_or_refused(*case)
 
 
+@settings(run, max_examples=60)
+@given(external_gears())
+def test_external_gears(case):
+    _built_or_refused(*case)
+
+
+@settings(run, max_examples=30)
+@given(internal_gears())
+def test_internal_gears(case):
+    _built_or_refused(*case)
+
+
+@settings(run, max_examples=30)
+@given(racks())
+def test_racks(case):
+    _built_or_refused(*case)
+
+
 @settings(run, max_examples=25)
 @given(bevel_pairs())
 def test_bevel_pairs(case):
@@ -157,6 +248,9 @@ anything = st.one_of(
     ("element", "base"),
     [
         (SpurGear, {"teeth": 16, "module": 8.0, "face_width": 50.0}),
+        (HelicalGear, {"teeth": 20, "module": 4.0, "face_width": 15.0, "helix_angle": 20.0}),
+        (InternalGear, {"teeth": 40, "module": 4.0, "face_width": 15.0}),
+        (Rack, {"teeth": 5, "module": 4.0, "face_width": 15.0}),
         (BevelGear, {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}),
         (BevelPair, {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}),
         (Sweep, {"section": {"rectangle": (3.0, 2.0), "centre": (4.0, 1.0)}, "length": 5.0}),
