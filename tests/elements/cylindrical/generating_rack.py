@@ -31,8 +31,8 @@ class GeneratingRack:
         """For a gear with a module in mm and thickness by its profile shift."""
         m, x, alpha = gear.normal_module, gear.profile_shift, np.radians(gear.pressure_angle)
         depth = {"iso-53-a": 1.25, "iso-53-d": 1.4, "agma-full-radius": 1.35}[gear.basic_rack] - x
-        thickness = m * (np.pi / 2.0 + 2.0 * x * np.tan(alpha)) - gear.backlash / 2.0 * np.cos(gear.helix)
-        return cls(gear.teeth, m, float(alpha), gear.helix, (np.pi * m - thickness) / 2.0, depth * m, tip_radius)
+        thickness = m * (np.pi / 2.0 + 2.0 * x * np.tan(alpha)) - gear.backlash / 2.0 * np.cos(gear.helix.angle)
+        return cls(gear.teeth, m, float(alpha), gear.helix.angle, (np.pi * m - thickness) / 2.0, depth * m, tip_radius)
 
     @property
     def pitch_radius(self) -> float:

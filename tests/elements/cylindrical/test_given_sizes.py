@@ -143,7 +143,7 @@ def test_sizes_are_found_on_the_section(kind):
     assert sizes["tooth_depth"] == pytest.approx((high - low) / 2.0, rel=1e-12)
     assert sizes["base_pitch"] == pytest.approx(np.pi * sizes["base_diameter"] / gear.teeth, rel=1e-13)
     assert sizes["circular_pitch"] == pytest.approx(np.pi * sizes["pitch_diameter"] / gear.teeth, rel=1e-13)
-    assert sizes["normal_thickness"] == pytest.approx(sizes["circular_thickness"] * np.cos(gear.helix), rel=1e-13)
+    assert sizes["normal_thickness"] == pytest.approx(sizes["circular_thickness"] * np.cos(gear.helix.angle), rel=1e-13)
 
 
 BODIES = {

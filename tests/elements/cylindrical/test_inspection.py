@@ -53,7 +53,7 @@ class Helicoid:
 
 def _flank(gear, which, tooth=0):
     """The clockwise (0) or the counter-clockwise (1) flank of a tooth; of an internal gear, of a space."""
-    per_height = gear.hand_sense * np.tan(gear.helix) / gear.pitch_radius
+    per_height = gear.helix.sense * np.tan(gear.helix.angle) / gear.pitch_radius
     return Helicoid(curves_of(gear, Involute)[which], float(per_height), 2.0 * np.pi * tooth / gear.teeth)
 
 
@@ -186,8 +186,8 @@ def test_chords_of_helical_teeth(name):
     The circle of its curvature d/cos² β stands for it in ISO 21771: for these teeth right to 1e-3.
     """
     gear = GEARS[name]
-    half = gear.toothing.thickness / 2.0 * np.cos(gear.helix) ** 2 / gear.pitch_radius
-    rise = gear.toothing.thickness / 2.0 * np.cos(gear.helix) * np.sin(gear.helix)
+    half = gear.toothing.thickness / 2.0 * np.cos(gear.helix.angle) ** 2 / gear.pitch_radius
+    rise = gear.toothing.thickness / 2.0 * np.cos(gear.helix.angle) * np.sin(gear.helix.angle)
     chord = 2.0 * np.hypot(gear.pitch_radius * np.sin(half), rise)
     sizes = gear.sizes()
     assert sizes["chordal_thickness"].value == pytest.approx(chord, rel=1e-3)

@@ -110,7 +110,7 @@ def test_crowning_is_its_amount_at_the_ends_and_nought_in_the_middle(kind):
             points = patch.point(np.linspace(0.2, 0.8, 4), np.full(4, v))
             z = float(points[0, 2])
             way = min(z, WIDTH - z) if kind == "herringbone" else z
-            flat = turned(points[:, :2], -gear.hand_sense * way * np.tan(gear.helix) / gear.pitch_radius)
+            flat = turned(points[:, :2], -gear.helix.sense * way * np.tan(gear.helix.angle) / gear.pitch_radius)
             found += [(z / WIDTH, min(abs(_off(point, one)[0]) for one in plain)) for point in flat]
     share, depth = np.transpose(found)
     np.testing.assert_allclose(depth, 0.03 * (2.0 * share - 1.0) ** 2, atol=1e-9)
