@@ -135,6 +135,7 @@ def test_undercut_begins_at_the_limits_that_are_quoted(angle, helix):
     limit = HelicalGear(**base).sizes()["undercut_shift"].value
     for off, undercut in ((-0.01, True), (0.01, False)):
         gear = HelicalGear(**base, profile_shift=limit + off)
+        assert gear.sizes()["undercut_shift"].value == pytest.approx(limit, rel=1e-12)
         fillet, involute = curves_of(gear, Trochoid)[0], curves_of(gear, Involute)[0]
         bent = abs(angle_between(unit_tangent(fillet, 1.0), unit_tangent(involute, 0.0))) > 1e-6
         assert bent == undercut

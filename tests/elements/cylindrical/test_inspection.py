@@ -33,8 +33,8 @@ class Helicoid:
         found = np.cross([*along, 0.0], [-self.per_height * y, self.per_height * x, 1.0])
         return found / np.linalg.norm(found)
 
-    def distance(self, centre: np.ndarray) -> float:
-        """From a point to the nearest one of the flank."""
+    def distance(self, centre: np.ndarray) -> tuple[float, float]:
+        """From a point to the nearest one of the flank, and the radius of that."""
         a, b = self.curve.interval
         found = min(
             (
@@ -48,7 +48,8 @@ class Helicoid:
             ),
             key=lambda one: one.fun,
         )
-        return float(np.sqrt(found.fun))
+        foot = self.point(found.x[0], found.x[1] * 10.0)
+        return float(np.sqrt(found.fun)), float(np.hypot(foot[0], foot[1]))
 
 
 def _flank(gear, which, tooth=0):
@@ -144,7 +145,7 @@ def test_pins_and_balls_touch_both_flanks(gear):
     direction = np.array([np.cos(middle), np.sin(middle), 0.0])
 
     def excess(radius):
-        return flank.distance(radius * direction) - diameter / 2.0
+        return flank.distance(radius * direction)[0] - diameter / 2.0
 
     guess = (measured - (-diameter if ring else diameter)) / 2.0
     near = 0.05 * gear.normal_module
@@ -153,6 +154,8 @@ def test_pins_and_balls_touch_both_flanks(gear):
     across = np.array([np.cos(2.0 * np.pi * opposite / gear.teeth), np.sin(2.0 * np.pi * opposite / gear.teeth)])
     apart = np.linalg.norm(centre * (across - [1.0, 0.0]))
     assert measured == pytest.approx(apart + (-diameter if ring else diameter), rel=1e-9)
+    touching = flank.distance(centre * direction)[1]
+    assert sizes["pin_contact_diameter"].value == pytest.approx(2.0 * touching, rel=1e-6)
 
 
 def test_published_span_and_measurement_over_pins():

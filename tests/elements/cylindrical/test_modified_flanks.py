@@ -93,6 +93,8 @@ def test_a_chamfer_is_as_high_as_wide(kind):
     half = abs(half - pitch * round(half / pitch))
     thickness = 2.0 * half * gear.toothing.tip_radius
     assert gear.sizes()["tip_thickness"].value == pytest.approx(thickness, rel=1e-12)
+    assert thickness < _gear(kind).sizes()["tip_thickness"].value
+    assert gear.properties().volume < _gear(kind).properties().volume
 
 
 def _ends(curve):
