@@ -73,17 +73,18 @@ def spur_gears(draw):
 @st.composite
 def flanks(draw, module, *, ring=False):
     """Profile shift, fillets, relief, chamfer and crowning, in lengths of the module."""
-    values = {"profile_shift": draw(st.sampled_from([0.0, 0.0, 0.3, -0.3]) | st.floats(-1.5, 1.5))}
+    values = {"profile_shift": draw(st.sampled_from([0.0, 0.2, 0.4, -0.2]) | st.floats(-1.0, 1.0))}
     values["basic_rack"] = draw(st.sampled_from(list(BASIC_RACKS)))
+    values["pressure_angle"] = draw(st.sampled_from([20.0, 25.0]) | st.floats(14.5, 30.0))
     values["root"] = draw(st.sampled_from(["fillet", "fillet", "radial"]))
     radius = "fillet_radius" if ring else "rack_tip_radius"
     for name, strategy in (
-        ("tip_relief", st.floats(0.0, 0.05)),
-        ("tip_chamfer", st.floats(0.0, 0.3)),
-        ("crowning", st.floats(0.0, 0.05)),
-        (radius, st.floats(0.01, 0.6)),
+        ("tip_relief", st.floats(0.001, 0.05)),
+        ("tip_chamfer", st.floats(0.01, 0.2)),
+        ("crowning", st.floats(0.001, 0.05)),
+        (radius, st.floats(0.01, 0.5)),
     ):
-        if draw(st.integers(0, 3)) == 0:
+        if draw(st.integers(0, 3)) == 3 and (name != radius or values["root"] == "fillet"):
             values[name] = draw(strategy) * module
     values["tip_relief_form"] = draw(st.sampled_from(["linear", "parabolic"]))
     return values
@@ -96,7 +97,7 @@ def helices(draw):
 
 
 @st.composite
-def bodies(draw, diameter):
+def bodies(draw, diameter, width):
     """A body inside the teeth, most often one that fits."""
     if draw(st.booleans()):
         return {}
@@ -104,7 +105,8 @@ def bodies(draw, diameter):
     if draw(st.booleans()):
         values |= {"keyway_width": values["bore"] * 0.25, "keyway_depth": values["bore"] * 0.12}
     if draw(st.booleans()):
-        values |= {"hub_diameter": diameter * draw(st.floats(0.35, 0.6)), "hub_offset": draw(st.floats(0.0, 2.0))}
+        hub = {"hub_diameter": diameter * draw(st.floats(0.4, 0.6)), "hub_length": width * draw(st.floats(1.1, 3.0))}
+        values |= hub
     return values
 
 
@@ -112,10 +114,11 @@ def bodies(draw, diameter):
 def external_gears(draw):
     kind = draw(st.sampled_from([SpurGear, HelicalGear, HerringboneGear]))
     values, module = draw(common())
-    z = draw(teeth)
-    values |= {**draw(flanks(module)), **({} if kind is SpurGear else draw(helices())), **draw(bodies(z * module))}
+    z = draw(st.integers(12, 60) | teeth)
     width = draw(st.floats(0.5, 6.0)) * module
-    span = draw(st.none() | st.integers(1, 8))
+    values |= {**draw(flanks(module)), **({} if kind is SpurGear else draw(helices()))}
+    values |= draw(bodies(z * module, width))
+    span = draw(st.sampled_from([None, None, None, 2, 3]))
     return kind, {**values, "teeth": z, "face_width": width, "span_teeth": span}
 
 
@@ -123,8 +126,9 @@ def external_gears(draw):
 def internal_gears(draw):
     values, module = draw(common())
     values |= {**draw(flanks(module, ring=True)), **draw(helices())}
+    values["addendum_coefficient"] = draw(st.sampled_from([0.6, 0.8, 1.0]))
     width = draw(st.floats(0.5, 6.0)) * module
-    return InternalGear, {**values, "teeth": draw(st.integers(20, 70)), "face_width": width}
+    return InternalGear, {**values, "teeth": draw(st.integers(36, 80) | st.integers(20, 70)), "face_width": width}
 
 
 @st.composite
