@@ -245,6 +245,136 @@ EXAMPLES["cam"] = {
     },
 }
 
+EXAMPLES |= {
+    "helical gear": {
+        "fillets, left": {"teeth": 17, "module": 2.0, "face_width": 9.0, "helix_angle": 20.0, "hand": "left"},
+        "undercut, relieved, chamfered, bored": {
+            "teeth": 9,
+            "transverse_module": 3.0,
+            "face_width": 8.0,
+            "helix_angle": 12.0,
+            "tip_relief": 0.02,
+            "tip_relief_form": "parabolic",
+            "tip_chamfer": 0.3,
+            "bore": 6.0,
+        },
+        "steep, radial, in inches": {
+            "teeth": 12,
+            "diametral_pitch": 6.0,
+            "length_unit": "in",
+            "face_width": 0.6,
+            "helix_angle": 42.0,
+            "root": "radial",
+        },
+        "crowned": {"teeth": 11, "module": 3.0, "face_width": 8.0, "helix_angle": 15.0, "crowning": 0.05},
+    },
+    "herringbone gear": {
+        "fillets": {"teeth": 14, "module": 3.0, "face_width": 20.0, "helix_angle": 30.0},
+        "shifted, left, bored": {
+            "teeth": 10,
+            "module": 3.0,
+            "face_width": 12.0,
+            "helix_angle": 25.0,
+            "hand": "left",
+            "profile_shift": 0.4,
+            "bore": 8.0,
+        },
+        "relieved": {"teeth": 16, "module": 2.0, "face_width": 10.0, "helix_angle": 20.0, "tip_relief": 0.02},
+    },
+    "internal gear": {
+        "fillets": {"teeth": 36, "module": 2.0, "face_width": 6.0},
+        "helical, left, shifted": {
+            "teeth": 40,
+            "module": 1.5,
+            "face_width": 6.0,
+            "helix_angle": 18.0,
+            "hand": "left",
+            "profile_shift": -0.3,
+            "fillet_radius": 0.4,
+        },
+        "sharp corners, relieved, chamfered": {
+            "teeth": 33,
+            "module": 3.0,
+            "face_width": 8.0,
+            "pressure_angle": 25.0,
+            "root": "radial",
+            "tip_relief": 0.03,
+            "tip_chamfer": 0.2,
+            "outer_diameter": 125.0,
+        },
+    },
+    "rack": {
+        "straight": {"teeth": 5, "module": 4.0, "face_width": 10.0},
+        "helical, full radius": {
+            "teeth": 4,
+            "module": 2.0,
+            "face_width": 9.0,
+            "helix_angle": 30.0,
+            "basic_rack": "agma-full-radius",
+        },
+        "left, in inches, with backlash": {
+            "teeth": 3,
+            "diametral_pitch": 5.0,
+            "length_unit": "in",
+            "face_width": 0.5,
+            "helix_angle": 15.0,
+            "hand": "left",
+            "backlash": 0.02,
+            "fillet_radius": 0.03,
+        },
+    },
+    "spur pair": {
+        "13/17": {"teeth": (13, 17), "module": 2.0, "face_width": 5.0, "profile_shift": (0.3, 0.0)},
+        "at a distance, bored": {
+            "teeth": (12, 18),
+            "module": 2.0,
+            "face_width": (6.0, 5.0),
+            "centre_distance": 31.0,
+            "bore": (6.0, 10.0),
+        },
+        "in inches": {"teeth": (15, 15), "diametral_pitch": 8.0, "length_unit": "in", "face_width": 0.3},
+    },
+    "helical pair": {
+        "12/19": {"teeth": (12, 19), "module": 2.0, "face_width": 8.0, "helix_angle": 20.0},
+        "left, with backlash": {
+            "teeth": (14, 16),
+            "module": 2.0,
+            "face_width": 6.0,
+            "helix_angle": 12.0,
+            "hand": "left",
+            "backlash": 0.1,
+        },
+        "relieved": {"teeth": (15, 20), "module": 1.5, "face_width": 5.0, "helix_angle": 15.0, "tip_relief": 0.02},
+    },
+    "herringbone pair": {
+        "12/15": {"teeth": (12, 15), "module": 2.0, "face_width": 10.0, "helix_angle": 25.0},
+        "transverse module": {"teeth": (13, 14), "transverse_module": 2.0, "face_width": 8.0, "helix_angle": 20.0},
+        "shifted": {
+            "teeth": (11, 16),
+            "module": 2.0,
+            "face_width": 9.0,
+            "helix_angle": 30.0,
+            "profile_shift": (0.3, -0.1),
+        },
+    },
+    "internal pair": {
+        "14/40": {"teeth": (14, 40), "module": 2.0, "face_width": 5.0},
+        "helical": {"teeth": (16, 44), "module": 1.5, "face_width": 5.0, "helix_angle": 15.0},
+        "at a distance": {"teeth": (18, 48), "module": 1.5, "face_width": 5.0, "centre_distance": 22.8},
+    },
+    "rack and pinion": {
+        "15 on 4": {"teeth": (15, 4), "module": 2.0, "face_width": 6.0},
+        "helical": {"teeth": (14, 4), "module": 2.0, "face_width": 6.0, "helix_angle": 18.0},
+        "shifted, bored": {
+            "teeth": (10, 3),
+            "module": 3.0,
+            "face_width": 6.0,
+            "profile_shift": (0.4, 0.0),
+            "bore": 8.0,
+        },
+    },
+}
+
 BY_NAME = {entry.name: entry for entry in catalog.ELEMENTS}
 
 
@@ -276,7 +406,8 @@ every_bevel_part = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)
 @cache
 def built(part: Part) -> Element:
     """The part's element, built once a process."""
-    element = catalog.load(BY_NAME[part.element].source)(**EXAMPLES[part.element][part.example])
+    entry = BY_NAME[part.element]
+    element = catalog.load(entry.source)(**entry.settled, **EXAMPLES[part.element][part.example])
     return getattr(element, part.member) if part.member else element
 
 

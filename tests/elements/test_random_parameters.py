@@ -13,7 +13,12 @@ from gearwright.elements.bevel_pair import BevelPair
 from gearwright.elements.cams.cam import Cam
 from gearwright.elements.cams.kinds import KINDS
 from gearwright.elements.cams.laws import FIXED_LAWS
+from gearwright.elements.cylindrical.helical_gear import HelicalGear
+from gearwright.elements.cylindrical.herringbone_gear import HerringboneGear
+from gearwright.elements.cylindrical.internal_gear import InternalGear
+from gearwright.elements.cylindrical.rack import Rack
 from gearwright.elements.cylindrical.spur_gear import SpurGear
+from gearwright.elements.standards.iso_53 import BASIC_RACKS
 from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
@@ -67,6 +72,78 @@ def spur_gears(draw):
     values, module = draw(common())
     z = draw(teeth)
     return SpurGear, {**values, **draw(blank(module, z)), "teeth": z, "face_width": draw(st.floats(0.3, 30.0)) * module}
+
+
+@st.composite
+def flanks(draw, module, *, ring=False):
+    """Profile shift, fillets, relief, chamfer and crowning, in lengths of the module."""
+    values = {"profile_shift": draw(st.sampled_from([0.0, 0.2, 0.4, -0.2]) | st.floats(-1.0, 1.0))}
+    values["basic_rack"] = draw(st.sampled_from(list(BASIC_RACKS)))
+    values["pressure_angle"] = draw(st.sampled_from([20.0, 25.0]) | st.floats(14.5, 30.0))
+    values["root"] = draw(st.sampled_from(["fillet", "fillet", "radial"]))
+    radius = "fillet_radius" if ring else "rack_tip_radius"
+    for name, strategy in (
+        ("tip_relief", st.floats(0.001, 0.05)),
+        ("tip_chamfer", st.floats(0.01, 0.2)),
+        ("crowning", st.floats(0.001, 0.05)),
+        (radius, st.floats(0.01, 0.5)),
+    ):
+        if draw(st.integers(0, 3)) == 3 and (name != radius or values["root"] == "fillet"):
+            values[name] = draw(strategy) * module
+    values["tip_relief_form"] = draw(st.sampled_from(["linear", "parabolic"]))
+    return values
+
+
+@st.composite
+def helices(draw):
+    angle = draw(st.floats(0.0, 45.0) | st.floats(0.0, 80.0))
+    return {"helix_angle": angle, "hand": draw(st.sampled_from(["right", "left"]))}
+
+
+@st.composite
+def bodies(draw, diameter, width):
+    """A body inside the teeth, most often one that fits."""
+    if draw(st.booleans()):
+        return {}
+    values = {"bore": diameter * draw(st.floats(0.1, 0.3))}
+    if draw(st.booleans()):
+        values |= {"keyway_width": values["bore"] * 0.25, "keyway_depth": values["bore"] * 0.12}
+    if draw(st.booleans()):
+        hub = {"hub_diameter": diameter * draw(st.floats(0.4, 0.6)), "hub_length": width * draw(st.floats(1.1, 3.0))}
+        values |= hub
+    return values
+
+
+@st.composite
+def external_gears(draw):
+    kind = draw(st.sampled_from([SpurGear, HelicalGear, HerringboneGear]))
+    values, module = draw(common())
+    z = draw(st.integers(12, 60) | teeth)
+    width = draw(st.floats(0.5, 6.0)) * module
+    values |= {**draw(flanks(module)), **({} if kind is SpurGear else draw(helices()))}
+    values |= draw(bodies(z * module, width))
+    span = draw(st.sampled_from([None, None, None, 2, 3]))
+    return kind, {**values, "teeth": z, "face_width": width, "span_teeth": span}
+
+
+@st.composite
+def internal_gears(draw):
+    values, module = draw(common())
+    values |= {**draw(flanks(module, ring=True)), **draw(helices())}
+    values["addendum_coefficient"] = draw(st.sampled_from([0.6, 0.8, 1.0]))
+    width = draw(st.floats(0.5, 6.0)) * module
+    return InternalGear, {**values, "teeth": draw(st.integers(36, 80) | st.integers(20, 70)), "face_width": width}
+
+
+@st.composite
+def racks(draw):
+    values, module = draw(common())
+    values |= {**draw(helices()), "basic_rack": draw(st.sampled_from(list(BASIC_RACKS)))}
+    for name, strategy in (("addendum", share), ("dedendum", share), ("fillet_radius", st.floats(0.01, 0.6))):
+        value = draw(maybe(strategy))
+        if value is not None:
+            values[name] = value * module
+    return Rack, {**values, "teeth": draw(st.integers(3, 8)), "face_width": draw(st.floats(0.5, 6.0)) * module}
 
 
 @st.composite
@@ -169,6 +246,24 @@ def test_bevel_gears(case):
     _built_or_refused(*case)
 
 
+@settings(run, max_examples=60)
+@given(external_gears())
+def test_external_gears(case):
+    _built_or_refused(*case)
+
+
+@settings(run, max_examples=30)
+@given(internal_gears())
+def test_internal_gears(case):
+    _built_or_refused(*case)
+
+
+@settings(run, max_examples=30)
+@given(racks())
+def test_racks(case):
+    _built_or_refused(*case)
+
+
 @settings(run, max_examples=25)
 @given(bevel_pairs())
 def test_bevel_pairs(case):
@@ -202,6 +297,9 @@ anything = st.one_of(
     ("element", "base"),
     [
         (SpurGear, {"teeth": 16, "module": 8.0, "face_width": 50.0}),
+        (HelicalGear, {"teeth": 20, "module": 4.0, "face_width": 15.0, "helix_angle": 20.0}),
+        (InternalGear, {"teeth": 40, "module": 4.0, "face_width": 15.0}),
+        (Rack, {"teeth": 5, "module": 4.0, "face_width": 15.0}),
         (BevelGear, {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}),
         (BevelPair, {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}),
         (Sweep, {"section": {"rectangle": (3.0, 2.0), "centre": (4.0, 1.0)}, "length": 5.0}),

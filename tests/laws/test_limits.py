@@ -8,7 +8,7 @@ from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 ANGLES = np.array([8.0, 4.0, 2.0, 1.0])
 SHAPE = {"teeth": 18, "face_width": 10.0, "addendum": 2.8, "dedendum": 3.4, "pressure_angle": 22.0, "backlash": 0.1}
-SPUR = SpurGear(module=3.0, **SHAPE)
+SPUR = SpurGear(module=3.0, root="radial", **SHAPE)
 
 
 def _bevel(angle, *, mean_module, **more):
@@ -47,7 +47,7 @@ def test_small_pitch_angles_approach_the_spur_gear(more, mean_module, order):
 @pytest.mark.parametrize("part", [{"bore": 20.0}, {"circular_thickness": 4.0}], ids=str)
 def test_so_do_gears_with_a_bore_or_another_thickness(part):
     scaled = {name: value for name, value in part.items() if name == "bore"}
-    spur = SpurGear(module=3.0, **SHAPE, **part).properties()
+    spur = SpurGear(module=3.0, root="radial", **SHAPE, **part).properties()
     errors = []
     for angle in (2.0, 1.0, 0.5):
         gear = _bevel(angle, mean_module=True, **(scaled or part)).properties()

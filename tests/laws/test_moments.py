@@ -58,7 +58,8 @@ def _one_tooth(section):
 def _periods(part):
     """How many equal sectors a part's one outline consists of."""
     section = getattr(built(part).solid, "section", None)
-    return section.loops[0].copies if section is not None and len(section.loops) == 1 else 1
+    whole = section is not None and len(section.loops) == 1 and not section.varies  # else a sector's sides would turn
+    return section.loops[0].copies if whole else 1
 
 
 @pytest.mark.parametrize("part", [p for p in PARTS if _periods(p) > 1], ids=str)
@@ -80,6 +81,10 @@ def test_sectors_sum_to_the_gear(part):
     assert own_axial == pytest.approx(gear.properties().inertia[2, 2], rel=1e-12)
 
 
+def _varies(solid):
+    return getattr(getattr(solid, "section", None), "varies", False)
+
+
 def _turns_into_itself(part):
     """Whether faces of a part are repeated three times or more around z."""
     return max(patch.pattern.order for patch in built(part).boundary.patches) >= 3
@@ -90,7 +95,8 @@ def test_a_gear_is_symmetric_about_its_axis(part):
     found = built(part).properties()
     scale = np.abs(found.inertia).max()
     assert np.array_equal(found.centroid[:2], [0.0, 0.0])
-    assert np.array_equal(found.products, [0.0, 0.0, 0.0])
+    rounded = 1e-15 * scale if _varies(built(part).solid) else 0.0  # by integrals along the axis
+    np.testing.assert_allclose(found.products, [0.0, 0.0, 0.0], rtol=0.0, atol=rounded)
     assert abs(found.inertia[0, 0] - found.inertia[1, 1]) <= 1e-15 * scale
 
 

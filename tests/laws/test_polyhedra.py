@@ -130,6 +130,6 @@ def test_default_tolerance_is_of_the_bounding_diagonal():
 
 
 def test_coordinates_scale_with_the_part():
-    small = built(Part("spur gear", "root below the base circle"))
-    large = type(small)(teeth=16, module=8.0 * 1024.0, face_width=50.0 * 1024.0)
+    small = built(Part("spur gear", "radial root below the base circle"))
+    large = type(small)(teeth=16, module=8.0 * 1024.0, face_width=50.0 * 1024.0, root="radial")
     np.testing.assert_allclose(large.polyhedron().vertices, 1024.0 * small.polyhedron().vertices, rtol=1e-12, atol=1e-9)

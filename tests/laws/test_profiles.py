@@ -28,7 +28,7 @@ def test_a_profile_is_written_in_the_length_unit_and_read_again(part, suffix, tm
     section, drawn = element.profile.properties(), gw.sections.drawings.read(path)
     assert drawn.length_unit == element.length_unit
     loaded = gw.Section(loops=drawn.region()).properties()
-    assert loaded.area == pytest.approx(section.area, rel=1e-8)
+    assert loaded.area == pytest.approx(section.area, rel=3e-8)  # curves are drawn to 1e-7 × the size
     np.testing.assert_allclose(loaded.centroid, section.centroid, atol=1e-8 * section.perimeter)
     np.testing.assert_allclose(loaded.second_moments, section.second_moments, rtol=0, atol=1e-8 * section.perimeter**4)
 
@@ -37,7 +37,8 @@ def test_a_profile_is_written_in_the_length_unit_and_read_again(part, suffix, tm
 def test_the_profile_is_the_section_of_the_solid(part):
     element = built(part)
     if element.profile is not None and isinstance(element.solid, Swept) and not element.solid.section.varies:
-        assert element.solid.section.moments[0, 0] == element.profile.moments[0, 0]
+        own = element.solid.section.moments[0, 0]  # its bore is of as many arcs as there are teeth
+        assert own == pytest.approx(element.profile.moments[0, 0], rel=1e-14)
         if not isinstance(element, Sweep):
             (length,) = {abs(z) for z in element.properties().bounding_box[:, 2]} - {0.0}
             assert element.profile.properties().area * length == pytest.approx(element.properties().volume, rel=1e-13)

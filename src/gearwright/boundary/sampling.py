@@ -30,13 +30,15 @@ _LEAST_TOLERANCE = 1e-300
 _FEWEST_CLOSED = 6  # segments of a closed edge, so that it still encloses something
 _AT_ONCE = 50_000  # samples of patches evaluated together
 _MARGIN = 1.1  # the bounds above are taken at sample points
+_NEAR_END = 1.0 / 256.0  # curves that bend most at an end, as a trochoid does, are caught there; a cusp is not met
 _DIFFERENCE = 1e-4  # step of the difference of analytic partials: its error is about 1e-8
 
 
 @cache
 def _sample_points(panels: tuple[float, ...]) -> tuple[tuple[Array, Array], slice, slice, slice]:
     """Fractions (u, v) inside a patch and on its borders along u and along v, and the slices of each."""
-    along, up = (np.arange(16) + 0.5) / 16.0, in_panels(panels, np.linspace(0.0625, 0.9375, 8))
+    along = np.concatenate([[_NEAR_END], (np.arange(16) + 0.5) / 16.0, [1.0 - _NEAR_END]])
+    up = in_panels(panels, np.linspace(0.0625, 0.9375, 8))
     inside = np.stack(np.meshgrid(along, up), axis=-1).reshape(-1, 2)
     border_u = np.stack(np.meshgrid(along, [0.0, 1.0]), axis=-1).reshape(-1, 2)
     border_v = np.stack(np.meshgrid([0.0, 1.0], up), axis=-1).reshape(-1, 2)

@@ -118,6 +118,8 @@ STEEP_FILLET = (
     ' rack tip radius, or root = "radial"'
 )
 
+FILLET_TO_THE_TIP = "leaves no involute between fillet and tip; a smaller one does, and so does a larger dedendum"
+
 
 def said_twice(others: Sequence[str]) -> str:
     """For one of several ways to say the same."""

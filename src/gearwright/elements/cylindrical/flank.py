@@ -31,7 +31,7 @@ class Flank:
 
     form_radius   where the involute begins, at the root
     relief        at the tip, if any
-    chamfer       height at the tip that is taken off under 45°
+    chamfer       height at the tip that is taken off under 45° to the radius halfway between its ends
     """
 
     toothing: Toothing
@@ -63,7 +63,8 @@ class Flank:
     @property
     def tip_half(self) -> float:
         """Half the enclosed angle on the tip circle, beyond relief and chamfer."""
-        return self.end_half - self.toothing.outward * self.chamfer / self.toothing.tip_radius
+        both = self.usable_tip_radius + self.toothing.tip_radius
+        return self.end_half - self.toothing.outward * 2.0 * float(np.arctan(self.chamfer / both))
 
     def curves(self) -> list[Curve]:
         """From the form radius to the tip circle."""

@@ -49,7 +49,7 @@ class InternalGear(CylindricalGear):
         for name, message in check_internal(self.tooth, self.nominal_thickness, self.length_unit):
             problems.add("tip_diameter" if name == "addendum" and self.tip_diameter is not None else name, message)
         limit = 2.0 * self.toothing.root_radius
-        if self.outer_diameter is not None and self.outer_diameter <= limit:
+        if problems.computable("outer_diameter") and self.outer_radius <= self.toothing.root_radius:
             problems.add("outer_diameter", refusals.thin_ring(limit, self.length_unit))
 
     @property

@@ -76,6 +76,7 @@ class Rack(Element):
             problems.add("backlash", refusals.no_tooth_left(2.0 * self._nominal_thickness, unit))
         elif tooth.thickness >= tooth.circular_pitch or largest <= 0.0:
             most = tooth.circular_pitch - 2.0 * tooth.dedendum * np.tan(tooth.transverse_pressure_angle)
+            most += self._nominal_thickness - tooth.thickness
             problems.add("circular_thickness", refusals.meeting_teeth(float(most), unit))
         elif self.fillet_radius is not None and self.fillet_radius > largest * (1.0 + 1e-12):
             problems.add("fillet_radius", refusals.wide_fillet(largest, unit))

@@ -50,7 +50,7 @@ def toothing_sizes(tooth: Tooth, face_width: float) -> dict[str, Size]:
         "transverse_pressure_angle": (toothing.transverse_pressure_angle, "α_t", "transverse pressure angle"),
         "base_helix_angle": (toothing.base_helix_angle, "β_b", "helix angle on the base cylinder"),
     }
-    if toothing.helix_angle:
+    if np.isfinite(toothing.lead):
         lengths["lead"] = (toothing.lead, "p_z", "height of one turn of a tooth")
         lengths["axial_pitch"] = (toothing.lead / toothing.teeth, "p_x", "pitch along the axis")
     return {**in_unit(lengths, "length"), **in_unit(angles, "angle"), **_numbers(tooth, face_width)}

@@ -58,7 +58,7 @@ def _thickness(toothing: Toothing, nominal: float, unit: str) -> Iterator[Found]
     elif toothing.thickness <= 0.0:
         yield "backlash", refusals.no_tooth_left(2.0 * nominal, unit)
     elif toothing.thickness >= toothing.circular_pitch:
-        yield "circular_thickness", refusals.meeting_teeth(toothing.circular_pitch, unit)
+        yield "circular_thickness", refusals.meeting_teeth(toothing.circular_pitch + nominal - toothing.thickness, unit)
 
 
 def _fillet(tooth: ExternalTooth, nominal: float | None, unit: str) -> Iterator[Found]:
@@ -84,7 +84,9 @@ def _fillet(tooth: ExternalTooth, nominal: float | None, unit: str) -> Iterator[
         yield "profile_shift", refusals.STEEP_FILLET
     elif fillet.waist <= 0.0:
         yield "teeth", refusals.undercut_through("its root", toothing.teeth)
-    elif fillet.form_radius >= tooth.toothing.tip_radius - tooth.chamfer:
+    elif fillet.form_radius >= toothing.tip_radius and not fillet.undercuts:
+        yield "rack_tip_radius", refusals.FILLET_TO_THE_TIP
+    elif fillet.form_radius >= toothing.tip_radius:
         yield "teeth", refusals.undercut_through("its tip", toothing.teeth)
 
 
@@ -126,7 +128,7 @@ def _internal_ends(tooth: InternalTooth, unit: str) -> Iterator[Found]:
 def _internal_fillet(tooth: InternalTooth, unit: str) -> Iterator[Found]:
     if tooth.fillet_radius > tooth.largest_fillet_radius * (1.0 + 1e-12):
         yield "fillet_radius", refusals.wide_fillet(tooth.largest_fillet_radius, unit)
-    elif tooth.form_radius <= tooth.flank.usable_tip_radius:
+    elif tooth.form_radius <= tooth.toothing.tip_radius:
         yield "fillet_radius", "leaves no involute between fillet and tip; a smaller one does"
 
 

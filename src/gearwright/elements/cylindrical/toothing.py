@@ -11,6 +11,8 @@ import numpy as np
 from ...arrays import Array, ArrayLike
 from ...curves.involute import inverse_involute_function, involute_function, involute_of_roll, involute_roll
 
+_STRAIGHT = 1e-200  # tan β below which a lead is no number
+
 
 @dataclass(frozen=True, kw_only=True)
 class Toothing:
@@ -108,8 +110,9 @@ class Toothing:
 
     @property
     def lead(self) -> float:
-        """p_z = 2πr/tan β, the height of one turn of a tooth; infinite for straight teeth."""
-        return float(2.0 * np.pi * self.pitch_radius / np.tan(self.helix_angle)) if self.helix_angle else np.inf
+        """p_z = 2πr/tan β, the height of one turn of a tooth; infinite for straight teeth, or all but straight ones."""
+        slope = float(np.tan(self.helix_angle))
+        return 2.0 * np.pi * self.pitch_radius / slope if slope > _STRAIGHT else np.inf
 
     @cached_property
     def half_at_base(self) -> float:
