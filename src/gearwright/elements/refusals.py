@@ -189,12 +189,21 @@ def thin_ring(limit: float, unit: str) -> str:
 
 NO_ROOM_INSIDE = "an internal gear must have more teeth than its pinion, which is named first"
 
+UNLIKE_HALVES = "the halves of herringbone teeth meet at mid-face, so both members need the same; give one value"
+
+
+def no_second(kind: str) -> str:
+    """For a second value, of a parameter that only the pinion has."""
+    mate = "an internal gear" if kind == "internal" else f"a {kind}"
+    return f"{mate} has none; give one value, the pinion's"
+
+
 NO_DISTANCE = "there is no centre distance at which teeth of such a sum of profile shifts run; a larger sum has one"
 
 
 def near_axes(limit: float, unit: str) -> str:
     """Axes without a line of action between the base circles."""
-    return f"the axes are too near for involutes to meet; more than {limit:.6g} {unit}"
+    return f"the axes are too near for involutes to meet; more than {rounded_up(limit, 6)} {unit}"
 
 
 def far_shift(shift: float, reference: float, unit: str) -> str:

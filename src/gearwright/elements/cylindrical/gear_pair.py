@@ -126,6 +126,8 @@ class GearPair(Pair):
         require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
         if self.kind in ("helical", "herringbone") and self.helix_angle is None:
             problems.add("helix_angle", f"is needed: {d.HELIX_ANGLE.meaning}")
+        if problems.counted() and problems.sound("kind"):
+            self._check_shared(problems)
         ready = problems.counted() and problems.computable(*_OF_THE_AXES) and problems.sound("kind", "teeth", "module")
         if ready:
             self._check_axes(problems)
@@ -137,6 +139,17 @@ class GearPair(Pair):
                 for name, message in check_mesh(self.mesh, self.length_unit):
                     problems.add(name, message)
         problems.raise_any()
+
+    def _check_shared(self, problems: Problems) -> None:
+        """Adds values that the gear has no use for, and face widths that do not go together."""
+        used = {one.name for one in declarations(MEMBERS[self.kind][1])}
+        for one in declarations(type(self)):
+            value = getattr(self, one.name)
+            if one.name not in used and one.members == "both" and isinstance(value, tuple) and value[1]:
+                problems.add(one.name, refusals.no_second(self.kind))
+        widths = self.face_width
+        if self.kind == "herringbone" and isinstance(widths, tuple) and widths[0] != widths[1]:
+            problems.add("face_width", refusals.UNLIKE_HALVES)
 
     def _check_axes(self, problems: Problems) -> None:
         """Adds problems of where the axes are, before there are members."""
@@ -171,11 +184,19 @@ class GearPair(Pair):
         own = {one.name for one in declarations(type(self))}
         names = [one.name for one in declarations(MEMBERS[self.kind][member]) if one.name in own]
         values = {name: member_value(getattr(self, name), member) for name in names}
+        if "tip_relief_height" in values and not values["tip_relief"] and self._one_relief_height:
+            values["tip_relief_height"] = None
         if "helix_angle" in values:
             values["helix_angle"] = self.helix_angle or 0.0
         if "profile_shift" in values:
             values["profile_shift"] = (self.axes.shifts or (0.0, 0.0))[member]
         return values
+
+    @property
+    def _one_relief_height(self) -> bool:
+        """Whether one height is given for whichever of the members are relieved."""
+        reliefs = [member_value(self.tip_relief, member) for member in (0, 1)]
+        return any(reliefs) and not isinstance(self.tip_relief_height, tuple)
 
     @cached_property
     def pinion(self) -> ExternalGear:
@@ -254,7 +275,8 @@ class GearPair(Pair):
     @property
     def remarks(self) -> list[str]:
         """What is unusual about the pair, though it can be built."""
-        return [*self.pinion.remarks, *mesh_remarks(self.mesh, self.overlap)]
+        members = dict.fromkeys([*self.pinion.remarks, *self.gear.remarks])
+        return [*members, *mesh_remarks(self.mesh, self.overlap)]
 
     @property
     def description(self) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...curves.involute import inverse_involute_function
-from ...parameters import rounded_down
+from ...parameters import rounded_down, rounded_up
 from .. import refusals
 from .mesh import GearMesh, Mesh
 from .tip_paths import cut_depths
@@ -15,6 +15,8 @@ from .tooth_checks import Found
 
 _ROUNDING = 1e-9  # modules by which teeth of no backlash may seem to jam
 _TOUCHING = 1e-6  # modules by which a tip on the flank may seem to cut: it is followed in finite steps
+
+_DIGITS = 6  # of distances that people follow
 
 
 def check_mesh(mesh: Mesh, unit: str) -> list[Found]:
@@ -34,7 +36,7 @@ def _free_distance(mesh: Mesh) -> str:
     """The distance at which there is no backlash, with the side on which there is some; "" where there is none."""
     if not isinstance(mesh, GearMesh):
         over = mesh.centre_distance - mesh.backlash / 2.0 / np.tan(mesh.working_pressure_angle)
-        return f"at least {over:.6g}"
+        return f"at least {rounded_up(over, _DIGITS)}"
     one, other = mesh.pinion.toothing, mesh.gear.toothing
     sign = other.outward
     filled = one.teeth * one.half_at_base + sign * other.teeth * other.half_at_base - (np.pi if sign > 0 else 0.0)
@@ -42,8 +44,10 @@ def _free_distance(mesh: Mesh) -> str:
     if target <= 0.0:
         return ""
     bases = other.base_radius + sign * one.base_radius
-    distance = bases / np.cos(float(inverse_involute_function(target)))
-    return f"{'at least' if sign > 0 else 'at most'} {distance:.6g}"
+    distance = float(bases / np.cos(float(inverse_involute_function(target))))
+    if sign > 0:
+        return f"at least {rounded_up(distance, _DIGITS)}"
+    return f"at most {rounded_down(distance, _DIGITS)}"
 
 
 def _clearances(mesh: Mesh, unit: str) -> Iterator[Found]:
