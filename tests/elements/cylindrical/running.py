@@ -1,4 +1,4 @@
-"""Placed flanks of a pair on parallel axes, turned until they touch: points and polygons only, no formula of meshing."""
+"""Placed flanks of a pair on parallel axes, turned until they touch: points and polygons, no formula of meshing."""
 
 from __future__ import annotations
 

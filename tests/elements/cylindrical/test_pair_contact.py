@@ -1,4 +1,4 @@
-"""Flanks of placed pairs, turned until they touch: the ratio, contact ratio, sliding and backlash, found from points."""
+"""Flanks of placed pairs, turned until they touch: ratio, contact ratio, sliding and backlash, found from points."""
 
 import numpy as np
 import pytest

@@ -62,6 +62,10 @@ class AxesOfGears:
         return ((self.centre_distance or np.nan) - self.reference) / self.pinion.module
 
     @property
+    def members(self) -> tuple[Toothing, Toothing]:
+        return self.pinion, self.gear
+
+    @property
     def shortening(self) -> float:
         """k = y − (x₁ + x₂) modules by which tips are changed to keep the clearance; an internal pair needs none."""
         if self.gear.internal:

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
+from ...errors import ParameterError
 from ...parameters import Problems, Size, declarations, declared, member_value
 from .. import declarations as d
 from .. import refusals
+from ..element import Element
 from ..pair import Pair
 from ..standards.iso_53 import BASIC_RACKS
 from .centre_distance import AxesOfGears, AxisOverRack
@@ -21,7 +23,7 @@ from .helical_gear import HelicalGear
 from .helix import normal_module, require_one_module
 from .herringbone_gear import HerringboneGear
 from .internal_gear import InternalGear
-from .mesh import GearMesh, Mesh, RackMesh
+from .mesh import GearMesh, Mesh, RackMesh, least_sum_of_shifts
 from .mesh_checks import check_mesh
 from .mesh_sizes import mesh_remarks, mesh_sizes
 from .placing import gears_in_mesh, pinion_on_rack
@@ -39,7 +41,7 @@ MEMBERS: dict[str, tuple[type[ExternalGear], type[CylindricalGear | Rack]]] = {
 """What pinion and gear of each kind of pair are; a helical pinion of helix angle 0 is a spur gear."""
 
 _HELICAL = {"kind": ("helical", "herringbone", "internal", "rack")}
-_SETTLED = ("profile_shift", "module", "hand")
+_SETTLED = ("module", "hand")
 _MOST_SHIFT = 2.0  # modules: no tooth has room for more
 _OF_THE_AXES = (
     "kind", "teeth", "module", "transverse_module", "diametral_pitch", "pressure_angle", "helix_angle",
@@ -132,9 +134,7 @@ class GearPair(Pair):
         if ready:
             self._check_axes(problems)
         if ready and problems.sound("teeth", "profile_shift", "centre_distance"):
-            problems.add_members({"pinion": lambda: self.pinion}, settled=_SETTLED)
-            if problems.sound():
-                problems.add_members({"gear": lambda: self.gear}, settled=_SETTLED)
+            self._check_members(problems)
             if problems.sound():
                 for name, message in check_mesh(self.mesh, self.length_unit):
                     problems.add(name, message)
@@ -151,6 +151,33 @@ class GearPair(Pair):
         if self.kind == "herringbone" and isinstance(widths, tuple) and widths[0] != widths[1]:
             problems.add("face_width", refusals.UNLIKE_HALVES)
 
+    def _check_members(self, problems: Problems) -> None:
+        """Adds problems of the members; where a profile shift is one that follows from the distance, of that."""
+        follows = self.profile_shift is None
+        settled = (*_SETTLED, "profile_shift") if follows else _SETTLED
+        builds = {"pinion": lambda: self.pinion, "gear": self._gear_of_sound_pinion}
+        problems.add_members(builds, settled)
+        if follows and problems.sound():
+            try:
+                for build in builds.values():
+                    build()
+            except ParameterError:
+                self._add_far_shift(problems)
+
+    def _gear_of_sound_pinion(self) -> Element | None:
+        """The gear; None for an internal one whose tips would have to clear a pinion that cannot be built."""
+        if self.kind == "internal":
+            try:
+                self.pinion  # noqa: B018
+            except ParameterError:
+                return None
+        return self.gear
+
+    def _add_far_shift(self, problems: Problems) -> None:
+        largest = max(self.axes.shifts or (0.0, 0.0), key=abs)
+        of = "the pinion" if self.kind == "rack" else "each"
+        problems.add("centre_distance", refusals.far_shift(largest, of, self.axes.reference, self.length_unit))
+
     def _check_axes(self, problems: Problems) -> None:
         """Adds problems of where the axes are, before there are members."""
         if self.kind == "internal" and self.teeth[1] <= self.teeth[0]:
@@ -158,10 +185,10 @@ class GearPair(Pair):
         elif self.axes.shifts is None or (self.centre_distance is not None and self.axes.centre_distance is None):
             problems.add("centre_distance", refusals.near_axes(self.axes.least, self.length_unit))
         elif self.axes.centre_distance is None:
-            problems.add("profile_shift", refusals.NO_DISTANCE)
+            limit = least_sum_of_shifts(*self.axes.members)
+            problems.add("profile_shift", refusals.no_distance(limit, internal=self.kind == "internal"))
         elif self.profile_shift is None and max(map(abs, self.axes.shifts)) > _MOST_SHIFT:
-            largest = max(self.axes.shifts, key=abs)
-            problems.add("centre_distance", refusals.far_shift(largest, self.axes.reference, self.length_unit))
+            self._add_far_shift(problems)
 
     @cached_property
     def axes(self) -> AxesOfGears | AxisOverRack:
@@ -221,6 +248,8 @@ class GearPair(Pair):
             return values
         coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
         addendum = (coefficient + values["profile_shift"] + k) * self.axes.pinion.module
+        if addendum <= 0.0:
+            return values  # so that it is the shift that is refused
         return {**values, "addendum_coefficient": None, "addendum": addendum}
 
     def _clear_of_the_pinion(self, values: dict[str, Any]) -> dict[str, Any]:
