@@ -106,7 +106,13 @@ def test_remarks_keep_the_names_of_the_design(build):
 
 
 REFUSALS = [
-    ("", ("this names no element", "element: one of bevel, helical, internal, rack, spur, sweep is needed at the top")),
+    (
+        "",
+        (
+            "this names no element",
+            "element: one of bevel, spur, helical, herringbone, internal, rack, sweep is needed at the top",
+        ),
+    ),
     ("teeth = 3\n", ("element: one of bevel",)),
     ('elemnt = "spur"\n', ("elemnt: there is no such key; did you mean element?",)),
     ('element = "spurr"\n', ("element = 'spurr'", "did you mean spur?")),
@@ -118,7 +124,7 @@ REFUSALS = [
     ),
     (SPUR.replace("16", '"16"'), ("teeth = '16': a whole number is needed, not text",)),
     (SPUR.replace("16", "16.0"), ("teeth = 16.0: a whole number is needed",)),
-    (SPUR.replace("16", "[16, 20]"), ("teeth = (16, 20): one value is needed",)),
+    (SPUR.replace("16", "[16, 20, 24]"), ("teeth = (16, 20, 24): give one value for each",)),
     (SPUR.replace("16", "true"), ("teeth = True: a whole number is needed, not bool",)),
     (SPUR.replace("50", "inf"), ("face_width = inf mm: a finite number is needed",)),
     (SPUR.replace("50", "2024-01-31"), ("face_width", "not date")),

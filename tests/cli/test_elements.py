@@ -5,14 +5,14 @@ import pytest
 
 import gearwright
 from gearwright import catalog
-from gearwright.parameters import declarations
+from gearwright.cli.kinds import parameters_of
 
 
 @pytest.mark.parametrize("element", catalog.ELEMENTS, ids=lambda element: element.name)
 def test_every_declared_parameter_is_on_the_help_page(run, element):
     outcome = run(element.command, "--help")
     assert outcome.code == 0
-    for declaration in declarations(catalog.load(element.source)):
+    for declaration in parameters_of(element):
         if not declaration.parameter.typed:
             assert f"--{declaration.name}" not in outcome.out
             continue

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 import pytest
 
 from gearwright.cli.options import given_values, offered, signature_parameters
-from gearwright.parameters import Parameter, declared
+from gearwright.parameters import Parameter, declarations, declared
 
 COUNT = Parameter(meaning="how many", kind="integer", symbol="z", minimum=3)
 SHIFT = Parameter(meaning="how far", unit="length", symbol="x")
@@ -23,7 +23,7 @@ class Two:
     shape: str = declared(SHAPE, default="round")
 
 
-PARAMETERS = offered({"two": Two, "one": One})
+PARAMETERS = offered({"two": declarations(Two), "one": declarations(One)})
 
 
 def test_all_parameters_of_all_kinds_are_offered_once():

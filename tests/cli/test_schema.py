@@ -6,7 +6,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from gearwright import catalog
-from gearwright.parameters import declarations
+from gearwright.cli.kinds import parameters_of
 
 from ..examples import BY_NAME, EXAMPLES
 
@@ -52,7 +52,7 @@ WRONG = [
             {"teeth": 2},
             {"teeth": 16.5},
             {"teeth": "16"},
-            {"teeth": [16, 20]},
+            {"teeth": [16, 20, 24]},
             {"module": 0},
             {"face_width": 1e13},
             {"pressure_angle": 60},
@@ -127,7 +127,7 @@ def _toml(value):
 def test_every_parameter_has_its_meaning_unit_and_default(validator, element):
     schema = validator(element.command).schema
     (own,) = (one for one in schema.get("oneOf", [schema]) if one["title"] == element.name)
-    declared = declarations(catalog.load(element.source))
+    declared = parameters_of(element)
     assert list(own["properties"]) == ["element", *(d.name for d in declared)]
     assert own["required"] == ["element", *(d.name for d in declared if d.required)]
     assert own["additionalProperties"] is False
@@ -157,4 +157,4 @@ def test_limits_are_those_declared(validator):
 def test_an_unknown_element_is_refused(run):
     outcome = run("schema", "bevle")
     assert (outcome.code, outcome.out) == (2, "")
-    assert "choose one of bevel, helical, internal, rack, spur, sweep; did you mean bevel?" in outcome.err
+    assert "choose one of bevel, spur, helical, herringbone, internal, rack, sweep; did you mean bevel?" in outcome.err

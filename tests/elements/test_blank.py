@@ -10,7 +10,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from gearwright.elements import declarations
-from gearwright.elements.blank import Blank
+from gearwright.elements.blanks.blank import Blank
+from gearwright.elements.blanks.limits import blank_problems
 from gearwright.elements.standards.din_6885 import parallel_key
 from gearwright.motions.ends import between
 from gearwright.motions.straight import Straight
@@ -89,7 +90,7 @@ def elementary_volume(blank):
 
 def built(name, kind="spur"):
     blank = Blank(**BODIES[name])
-    assert blank.problems(2.0 * ROOT, FACE) == []
+    assert blank_problems(blank, 2.0 * ROOT, FACE) == []
     return blank.solid(ring(kind), ROOT, FACE)
 
 
@@ -232,7 +233,7 @@ def test_every_field_is_declared_and_taken_from_an_element():
 def test_inches_are_millimetres_of_another_size(name):
     lengths = {k: v / 25.4 if isinstance(v, float) else v for k, v in BODIES[name].items()}
     blank = Blank(**lengths, length_unit="in")
-    assert blank.problems(2.0 * ROOT / 25.4, FACE / 25.4) == []
+    assert blank_problems(blank, 2.0 * ROOT / 25.4, FACE / 25.4) == []
 
     def small(hole):
         return Swept(section=section(hole, 1.0 / 25.4), motion=Straight(), ends=between(0.0, FACE / 25.4))
@@ -338,27 +339,29 @@ REFUSED = [
 @pytest.mark.parametrize(("changes", "name", "words"), REFUSED, ids=lambda value: str(value)[:60])
 def test_refusals_name_the_parameter_the_limit_and_the_way_out(changes, name, words):
     given = {k: v for k, v in {**FULL, **changes}.items() if v is not None}
-    found = Blank(**given).problems(2.0 * ROOT, FACE)
+    found = blank_problems(Blank(**given), 2.0 * ROOT, FACE)
     messages = [message for parameter, message in found if parameter == name]
     assert any(all(word in message for word in words) for message in messages), found
 
 
 def test_a_keyway_in_the_roots_is_refused():
     alone = {"bore": 106.0, "keyway": "din-6885"}  # 28 × 6.4: corners on 2 √(59.4² + 14²) = 122.1
-    [(name, message)] = Blank(**alone).problems(2.0 * ROOT, FACE)
+    [(name, message)] = blank_problems(Blank(**alone), 2.0 * ROOT, FACE)
     assert name == "keyway"
     assert "122.1 mm" in message
     assert "root diameter, 110 mm" in message
     own = {"bore": 30.0, "keyway_width": 10.0, "keyway_depth": 40.0}
-    assert [name for name, _ in Blank(**own).problems(2.0 * ROOT, FACE)] == ["keyway_depth"]
+    assert [name for name, _ in blank_problems(Blank(**own), 2.0 * ROOT, FACE)] == ["keyway_depth"]
 
 
 def test_all_problems_are_named_together():
     names = [
         name
-        for name, _ in Blank(
-            bore=120.0, hub_length=20.0, rim_diameter=130.0, web_thickness=50.0, keyway_width=3.0, web_holes=3
-        ).problems(2.0 * ROOT, FACE)
+        for name, _ in blank_problems(
+            Blank(bore=120.0, hub_length=20.0, rim_diameter=130.0, web_thickness=50.0, keyway_width=3.0, web_holes=3),
+            2.0 * ROOT,
+            FACE,
+        )
     ]
     assert names == ["keyway_width", "hub_length", "web_holes", "bore", "rim_diameter", "web_thickness"]
 
@@ -391,7 +394,7 @@ LIMITS = [
 @pytest.mark.parametrize(("others", "name", "limit", "way", "included"), LIMITS)
 def test_limits_are_where_they_are_said_to_be(others, name, limit, way, included):
     def problems(value):
-        return Blank(**{**others, name: value}).problems(2.0 * ROOT, FACE)
+        return blank_problems(Blank(**{**others, name: value}), 2.0 * ROOT, FACE)
 
     inside, beyond = limit + way * 1e-6, limit - way * 1e-6
     assert problems(inside) == []
@@ -407,7 +410,7 @@ def test_limits_are_where_they_are_said_to_be(others, name, limit, way, included
 
 @pytest.mark.parametrize(("bore", "found"), [(6.0, False), (6.001, True), (500.0, True), (500.001, False)])
 def test_the_range_of_the_standard(bore, found):
-    assert (Blank(bore=bore, keyway="din-6885").problems(2000.0, FACE) == []) == found
+    assert (blank_problems(Blank(bore=bore, keyway="din-6885"), 2000.0, FACE) == []) == found
 
 
 def lengths(low, high):
@@ -441,7 +444,7 @@ run = settings(max_examples=120, deadline=None, derandomize=True, suppress_healt
 @given(blanks(), st.sampled_from(list(MOTIONS)))
 def test_any_blank_is_refused_or_watertight(values, kind):
     blank = Blank(**values)
-    problems = blank.problems(2.0 * ROOT, FACE)
+    problems = blank_problems(blank, 2.0 * ROOT, FACE)
     if problems:
         assert all(hasattr(blank, name) and message for name, message in problems)
         return

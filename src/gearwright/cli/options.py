@@ -13,9 +13,11 @@ from cyclopts import Parameter as Option
 from .. import catalog
 from ..parameters import Declaration, FileName, Parameter, in_words
 
+_TOPICS = 3  # after what all elements have
+
 NEEDED = Group("Needed", sort_key=1)
 SHAPE = Group("Shape", sort_key=2)
-OUTPUT = Group("Output", sort_key=4)
+OUTPUT = Group("Output", sort_key=5)
 
 _METAVARS = {"length": "LENGTH", "angle": "DEG", "mm": "MM", "per inch": "PER-INCH", "": "NUMBER"}
 
@@ -83,8 +85,11 @@ def _annotation(one: Offered) -> Any:
 
 def _group(one: Offered) -> Group:
     if one.only:
-        return Group(f"Of a {one.only} only", sort_key=3)
-    return NEEDED if one.declaration.required else SHAPE
+        return Group(f"Of a {one.only} only", sort_key=4)
+    if one.declaration.required:
+        return NEEDED
+    topic = one.declaration.parameter.topic
+    return Group(topic, sort_key=_TOPICS) if topic else SHAPE
 
 
 def _help(declaration: Declaration) -> str:

@@ -6,6 +6,9 @@ from ..curves.frames import FRAMES
 from ..parameters import MILLIMETRES, Parameter
 from .standards.iso_53 import BASIC_RACKS
 
+_BODY, _FLANKS, _INSPECTION = "Body inside the teeth", "Modified flanks", "Inspection"
+"""Topics under which parameters of gears are listed."""
+
 TEETH = Parameter(meaning="number of teeth", kind="integer", symbol="z", minimum=3, maximum=10_000)
 MATE_TEETH = Parameter(meaning="number of teeth of the mate", kind="integer", symbol="z", minimum=3, maximum=10_000)
 MODULE = Parameter(meaning="module, always in mm", unit="mm", symbol="m", above=0)
@@ -31,32 +34,48 @@ BACKLASH = Parameter(
     symbol="j_t",
     minimum=0,
 )
-BORE = Parameter(meaning="diameter of a cylindrical bore", unit="length", symbol="d_bore", above=0)
+BORE = Parameter(topic=_BODY, meaning="diameter of a cylindrical bore", unit="length", symbol="d_bore", above=0)
 KEYWAY = Parameter(
+    topic=_BODY,
     meaning="keyway of the bore, below the first tooth: din-6885 is that of a parallel key of form A",
     kind="choice",
     choices=("none", "din-6885"),
 )
-KEYWAY_WIDTH = Parameter(meaning="width of a keyway of one's own size", unit="length", symbol="b_k", above=0)
-KEYWAY_DEPTH = Parameter(
-    meaning="depth of a keyway of one's own size, from the bore to its floor", unit="length", symbol="t_2", above=0
+KEYWAY_WIDTH = Parameter(
+    topic=_BODY, meaning="width of a keyway of one's own size", unit="length", symbol="b_k", above=0
 )
-HUB_DIAMETER = Parameter(meaning="diameter of the hub", unit="length", symbol="d_h", above=0)
+KEYWAY_DEPTH = Parameter(
+    topic=_BODY,
+    meaning="depth of a keyway of one's own size, from the bore to its floor",
+    unit="length",
+    symbol="t_2",
+    above=0,
+)
+HUB_DIAMETER = Parameter(topic=_BODY, meaning="diameter of the hub", unit="length", symbol="d_h", above=0)
 HUB_LENGTH = Parameter(
-    meaning="whole length of the hub; the face width if not given", unit="length", symbol="l_h", above=0
+    topic=_BODY, meaning="whole length of the hub; the face width if not given", unit="length", symbol="l_h", above=0
 )
 HUB_OFFSET = Parameter(
-    meaning="how far the hub stands out at z = 0; what its length leaves stands out at the other end", unit="length"
+    topic=_BODY,
+    meaning="how far the hub stands out at z = 0; what its length leaves stands out at the other end",
+    unit="length",
 )
-RIM_DIAMETER = Parameter(meaning="inner diameter of the rim around a web", unit="length", symbol="d_r", above=0)
+RIM_DIAMETER = Parameter(
+    topic=_BODY, meaning="inner diameter of the rim around a web", unit="length", symbol="d_r", above=0
+)
 WEB_THICKNESS = Parameter(
-    meaning="thickness of the web, in the middle of the face width", unit="length", symbol="b_s", above=0
+    topic=_BODY, meaning="thickness of the web, in the middle of the face width", unit="length", symbol="b_s", above=0
 )
 WEB_HOLES = Parameter(
-    meaning="number of holes in the web, the first one below the first tooth", kind="integer", minimum=1, maximum=500
+    topic=_BODY,
+    meaning="number of holes in the web, the first one below the first tooth",
+    kind="integer",
+    minimum=1,
+    maximum=500,
 )
-WEB_HOLE_DIAMETER = Parameter(meaning="diameter of the holes in the web", unit="length", above=0)
+WEB_HOLE_DIAMETER = Parameter(topic=_BODY, meaning="diameter of the holes in the web", unit="length", above=0)
 WEB_HOLE_CIRCLE = Parameter(
+    topic=_BODY,
     meaning="diameter of the circle of the holes' middles; midway between hub and rim if not given",
     unit="length",
     above=0,
@@ -163,18 +182,24 @@ FILLET_RADIUS = Parameter(
     above=0,
 )
 TIP_RELIEF = Parameter(
+    topic=_FLANKS,
     meaning="tip relief, taken off along the flank's normal in the transverse section",
     unit="length",
     symbol="C_a",
     minimum=0,
 )
 TIP_RELIEF_HEIGHT = Parameter(
-    meaning="height of the relieved part of the flank; 0.6 modules if not given", unit="length", symbol="h_Ca", above=0
+    topic=_FLANKS,
+    meaning="height of the relieved part of the flank; 0.6 modules if not given",
+    unit="length",
+    symbol="h_Ca",
+    above=0,
 )
 TIP_RELIEF_FORM = Parameter(
-    meaning="how tip relief grows with the roll angle", kind="choice", choices=("linear", "parabolic")
+    topic=_FLANKS, meaning="how tip relief grows with the roll angle", kind="choice", choices=("linear", "parabolic")
 )
 CROWNING = Parameter(
+    topic=_FLANKS,
     meaning="lead crowning: by how much each flank is lower at its ends than at mid-face, parabolically, along"
     " its normal in the transverse section",
     unit="length",
@@ -182,7 +207,7 @@ CROWNING = Parameter(
     minimum=0,
 )
 TIP_CHAMFER = Parameter(
-    meaning="height of a chamfer of 45° between flank and tip", unit="length", symbol="h_K", minimum=0
+    topic=_FLANKS, meaning="height of a chamfer of 45° between flank and tip", unit="length", symbol="h_K", minimum=0
 )
 GEAR_ROOT = Parameter(
     meaning="flank below the involute: fillet as generated by a rack with round tips, undercut included;"
@@ -191,6 +216,7 @@ GEAR_ROOT = Parameter(
     choices=("fillet", "radial"),
 )
 PIN_DIAMETER = Parameter(
+    topic=_INSPECTION,
     meaning="diameter of the pins or balls for the measurement over pins; 1.728 modules if not given,"
     " 1.68 for internal gears",
     unit="length",
@@ -198,6 +224,7 @@ PIN_DIAMETER = Parameter(
     above=0,
 )
 SPAN_TEETH = Parameter(
+    topic=_INSPECTION,
     meaning="number of teeth to span; that which touches nearest to mid-depth if not given",
     kind="integer",
     symbol="k",

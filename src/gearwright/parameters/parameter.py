@@ -46,6 +46,7 @@ class Parameter:
     components  names of the numbers that always make up one value, such as x and y; each is within the limits
     choices     the words accepted, for kind "choice"
     forms       the forms accepted, for kind "form"
+    topic       under which help pages and forms list it, where a kind of element has many
     """
 
     meaning: str
@@ -59,6 +60,7 @@ class Parameter:
     components: tuple[str, ...] = ()
     choices: tuple[str, ...] = ()
     forms: tuple[Form, ...] = ()
+    topic: str = ""
 
     @property
     def typed(self) -> bool:

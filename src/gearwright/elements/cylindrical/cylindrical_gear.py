@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
 
 from ...curves.polynomial import Polynomial, parabola
-from ...parameters import Problems, Size, declared
+from ...parameters import Problems, Size, declarations, declared
 from ...sections.plane import Section
 from .. import declarations as d
 from .. import refusals, remarks
-from ..element import Element, require_one_pitch
+from ..blanks.blank import Blank
+from ..element import Element
 from ..standards.iso_53 import BASIC_RACKS, BasicRack
 from ..standards.over_pins import USUAL as USUAL_PINS
 from .external_tooth import ExternalTooth
 from .flank import Relief
+from .helix import Helix, require_one_module
 from .internal_tooth import InternalTooth
 from .sizes import inspection_sizes, toothing_sizes
 from .tooth_checks import check_crowning
@@ -25,11 +27,9 @@ from .toothing import Toothing
 
 _RELIEF_HEIGHT = 0.6  # modules: relief that leaves some two thirds of a usual flank unrelieved
 
-_NUMBERS = (
-    "teeth", "module", "diametral_pitch", "face_width", "pressure_angle", "profile_shift", "basic_rack", "addendum",
-    "addendum_coefficient", "dedendum", "dedendum_coefficient", "tip_diameter", "circular_thickness", "backlash",
-    "tip_relief", "tip_relief_height", "crowning", "tip_chamfer", "root", "length_unit",
-)  # fmt: skip
+_BESIDE_THE_TEETH = {*(field.name for field in fields(Blank)), "pin_diameter", "span_teeth", "outer_diameter"} - {
+    "length_unit"
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,7 +66,7 @@ class CylindricalGear(Element):
     def __post_init__(self) -> None:
         problems = Problems(self)
         self._check_given(problems)
-        if problems.computable(*_NUMBERS, *self._more_numbers) and problems.sound("module"):
+        if problems.computable(*self._of_the_teeth) and problems.sound("module"):
             self._check_teeth(problems)
             if problems.sound():
                 for name, message in check_crowning(
@@ -78,19 +78,19 @@ class CylindricalGear(Element):
         problems.raise_any()
 
     @property
-    @abstractmethod
-    def helix(self) -> float:
-        """Helix angle β, radians, not negative."""
+    def _of_the_teeth(self) -> tuple[str, ...]:
+        """Parameters that the shape of the teeth follows from."""
+        return tuple(one.name for one in declarations(type(self)) if one.name not in _BESIDE_THE_TEETH)
 
     @property
-    @abstractmethod
-    def hand_sense(self) -> int:
-        """+1 for a right-hand helix, −1 for a left-hand one."""
+    def helix(self) -> Helix:
+        """Its module and helix."""
+        return Helix.of(self)
 
-    @property
-    @abstractmethod
+    @cached_property
     def normal_module(self) -> float:
         """m_n in the length unit."""
+        return self.helix.normal_module
 
     @property
     @abstractmethod
@@ -102,25 +102,16 @@ class CylindricalGear(Element):
     def profile(self) -> Section:
         """The transverse section at z = 0, without crowning."""
 
-    @property
-    @abstractmethod
-    def _more_numbers(self) -> tuple[str, ...]:
-        """Parameters of the kind that the shape of its teeth follows from."""
-
     @abstractmethod
     def _check_teeth(self, problems: Problems) -> None:
         """Adds problems of the teeth and of what they stand on."""
 
     def _check_given(self, problems: Problems) -> None:
-        self._require_pitch(problems)
+        require_one_module(problems, self)
         self._require_one_of(problems, "tip_diameter", "addendum", "addendum_coefficient")
         self._require_one_of(problems, "dedendum", "dedendum_coefficient")
         if problems.sound("tip_relief") and not self.tip_relief and self.tip_relief_height is not None:
             problems.add("tip_relief_height", "goes with tip_relief; give that, too, or leave this out")
-
-    def _require_pitch(self, problems: Problems) -> None:
-        """Adds a problem unless the module is given in one way."""
-        require_one_pitch(problems, self.module, self.diametral_pitch)
 
     def _require_one_of(self, problems: Problems, *names: str) -> None:
         """Adds a problem where more than one of several ways to say the same is used."""
@@ -160,7 +151,7 @@ class CylindricalGear(Element):
             teeth=self.teeth,
             module=module,
             pressure_angle=float(np.radians(self.pressure_angle)),
-            helix_angle=self.helix,
+            helix_angle=self.helix.angle,
             profile_shift=x,
             addendum=addendum,
             dedendum=(coefficient - x) * module if self.dedendum is None else self.dedendum,
@@ -175,7 +166,7 @@ class CylindricalGear(Element):
 
     @property
     def pitch_radius(self) -> float:
-        return float(self.teeth * self.normal_module / np.cos(self.helix) / 2.0)
+        return float(self.teeth * self.normal_module / np.cos(self.helix.angle) / 2.0)
 
     @property
     def nominal_thickness(self) -> float:
@@ -183,7 +174,7 @@ class CylindricalGear(Element):
         if self.circular_thickness is not None:
             return self.circular_thickness
         widened = np.pi / 2.0 + 2.0 * self.profile_shift * np.tan(np.radians(self.pressure_angle))
-        return float(self.normal_module * widened / np.cos(self.helix))
+        return float(self.normal_module * widened / np.cos(self.helix.angle))
 
     @property
     def relief(self) -> Relief | None:
@@ -204,7 +195,7 @@ class CylindricalGear(Element):
     @property
     def twist(self) -> float:
         """Angle by which the section at the far end is turned, radians: ±b tan β/r."""
-        return float(self.hand_sense * self.face_width * np.tan(self.helix) / self.pitch_radius)
+        return float(self.helix.sense * self.face_width * np.tan(self.helix.angle) / self.pitch_radius)
 
     @property
     def remarks(self) -> list[str]:
@@ -213,8 +204,6 @@ class CylindricalGear(Element):
 
     @property
     def description(self) -> str:
-        helix = (
-            f", β = {np.degrees(self.helix):.4g}° {'right' if self.hand_sense > 0 else 'left'}" if self.helix else ""
-        )
+        helix = f", β = {self.helix.helix_angle:.4g}° {self.helix.hand}" if self.helix.angle else ""
         shift = f", x = {self.profile_shift:g}" if self.profile_shift else ""
         return f"z = {self.teeth}, m = {self.normal_module:.4g} {self.length_unit}{helix}{shift}"

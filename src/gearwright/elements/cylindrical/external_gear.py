@@ -14,7 +14,8 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
-from ..blank import Blank
+from ..blanks.blank import Blank
+from ..blanks.limits import blank_problems
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
@@ -54,10 +55,6 @@ class ExternalGear(CylindricalGear):
     def motion(self) -> Motion:
         """How the transverse section moves from z = 0 to the face width."""
 
-    @property
-    def _more_numbers(self) -> tuple[str, ...]:
-        return ("rack_tip_radius", "rack_tip_coefficient")
-
     def _check_given(self, problems: Problems) -> None:
         super()._check_given(problems)
         self._require_one_of(problems, "rack_tip_radius", "rack_tip_coefficient")
@@ -72,7 +69,7 @@ class ExternalGear(CylindricalGear):
         ):
             problems.add(self._given_as(name), message)
         if self.toothing.root_radius > 0.0 and problems.computable(*_OF_THE_BLANK):
-            for name, message in self.blank.problems(2.0 * self.toothing.root_radius, self.face_width):
+            for name, message in blank_problems(self.blank, 2.0 * self.toothing.root_radius, self.face_width):
                 problems.add(name, message)
 
     def _given_as(self, name: str) -> str:

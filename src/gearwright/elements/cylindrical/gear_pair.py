@@ -20,7 +20,7 @@ from .centre_distance import AxesOfGears, AxisOverRack
 from .cylindrical_gear import CylindricalGear
 from .external_gear import ExternalGear
 from .helical_gear import HelicalGear
-from .helix import normal_module, require_one_module
+from .helix import Helix, require_one_module
 from .herringbone_gear import HerringboneGear
 from .internal_gear import InternalGear
 from .mesh import GearMesh, Mesh, RackMesh, least_sum_of_shifts
@@ -125,7 +125,7 @@ class GearPair(Pair):
 
     def __post_init__(self) -> None:
         problems = Problems(self)
-        require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
+        require_one_module(problems, self)
         if self.kind in ("helical", "herringbone") and self.helix_angle is None:
             problems.add("helix_angle", f"is needed: {d.HELIX_ANGLE.meaning}")
         if problems.counted() and problems.sound("kind"):
@@ -193,11 +193,10 @@ class GearPair(Pair):
     @cached_property
     def axes(self) -> AxesOfGears | AxisOverRack:
         """Where the axes are, and the profile shifts that go with it."""
-        helix = float(np.radians(self.helix_angle or 0.0))
-        module = normal_module(self.length_unit, self.module, self.diametral_pitch, self.transverse_module, helix)
+        helix = Helix.of(self)
         angle = float(np.radians(self.pressure_angle))
         pinion, gear = (
-            Toothing.basic(teeth, module, angle, helix, internal=internal)
+            Toothing.basic(teeth, helix.normal_module, angle, helix.angle, internal=internal)
             for teeth, internal in zip(self.teeth, (False, self.kind == "internal"), strict=True)
         )
         shifts = self.profile_shift
@@ -286,7 +285,7 @@ class GearPair(Pair):
     def overlap(self) -> float:
         """ε_β = b sin β/(π m_n) of the common face width, of either half of herringbone teeth."""
         width = min(self.pinion.face_width, self.gear.face_width) / (2.0 if self.kind == "herringbone" else 1.0)
-        return float(width * np.sin(self.pinion.helix) / (np.pi * self.pinion.normal_module))
+        return float(width * np.sin(self.pinion.helix.angle) / (np.pi * self.pinion.normal_module))
 
     def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
         """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees.

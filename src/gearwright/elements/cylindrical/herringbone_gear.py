@@ -7,16 +7,22 @@ from dataclasses import dataclass
 from ...motions.herringbone import Herringbone
 from ...motions.motion import Motion
 from ...motions.straight import Straight
-from .twisted_gear import TwistedGear
+from ...parameters import declared
+from .. import declarations as d
+from .external_gear import ExternalGear
 
 
 @dataclass(frozen=True, kw_only=True)
-class HerringboneGear(TwistedGear):
+class HerringboneGear(ExternalGear):
     """An external gear with helical teeth of both hands, which meet without a gap at mid-face.
 
     Frame: axis z, teeth from z = 0 to the face width, first tooth centred on +x at z = 0, where the hand is the one
     given. Raises ParameterError with every problem found. Source: ISO 21771 for either half.
     """
+
+    transverse_module: float | None = declared(d.TRANSVERSE_MODULE, default=None)
+    helix_angle: float = declared(d.HELIX_ANGLE)
+    hand: str = declared(d.HELIX_HAND, default="right")
 
     @property
     def motion(self) -> Motion:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from ...motions.ends import between
 from ...motions.extrusion import Extrusion
 from ...motions.motion import Motion
@@ -18,7 +16,6 @@ from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
 from .cylindrical_gear import CylindricalGear
-from .helix import HELIX_NUMBERS, normal_module, require_one_module
 from .internal_tooth import InternalTooth
 from .sizes import in_unit
 from .tooth_checks import check_internal
@@ -43,13 +40,6 @@ class InternalGear(CylindricalGear):
     fillet_radius: float | None = declared(d.FILLET_RADIUS, default=None)
     outer_diameter: float | None = declared(d.OUTER_DIAMETER, default=None)
 
-    def _require_pitch(self, problems: Problems) -> None:
-        require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
-
-    @property
-    def _more_numbers(self) -> tuple[str, ...]:
-        return (*HELIX_NUMBERS, "fillet_radius")
-
     def _check_given(self, problems: Problems) -> None:
         super()._check_given(problems)
         if self.root == "radial" and self.fillet_radius is not None:
@@ -65,18 +55,6 @@ class InternalGear(CylindricalGear):
     @property
     def is_internal(self) -> bool:
         return True
-
-    @property
-    def helix(self) -> float:
-        return float(np.radians(self.helix_angle))
-
-    @property
-    def hand_sense(self) -> int:
-        return 1 if self.hand == "right" else -1
-
-    @cached_property
-    def normal_module(self) -> float:
-        return normal_module(self.length_unit, self.module, self.diametral_pitch, self.transverse_module, self.helix)
 
     @property
     def outer_radius(self) -> float:

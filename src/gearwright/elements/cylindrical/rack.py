@@ -19,7 +19,7 @@ from .. import declarations as d
 from .. import refusals
 from ..element import Element
 from ..standards.iso_53 import BASIC_RACKS
-from .helix import HELIX_NUMBERS, normal_module, require_one_module
+from .helix import HELIX_NUMBERS, Helix, require_one_module
 from .rack_tooth import RackTooth
 from .sizes import in_unit
 
@@ -61,7 +61,7 @@ class Rack(Element):
 
     def __post_init__(self) -> None:
         problems = Problems(self)
-        require_one_module(problems, self.module, self.diametral_pitch, self.transverse_module)
+        require_one_module(problems, self)
         for length, coefficient in (("addendum", "addendum_coefficient"), ("dedendum", "dedendum_coefficient")):
             if getattr(self, length) is not None and getattr(self, coefficient) is not None:
                 problems.add(length, refusals.said_twice([coefficient]))
@@ -87,20 +87,21 @@ class Rack(Element):
         if self.back <= tooth.dedendum:
             problems.add("rack_height", f"must be greater than the dedendum, {tooth.dedendum:.4g} {unit}")
 
+    @property
+    def helix(self) -> Helix:
+        """Its module and helix."""
+        return Helix.of(self)
+
     @cached_property
     def normal_module(self) -> float:
-        return normal_module(self.length_unit, self.module, self.diametral_pitch, self.transverse_module, self.helix)
-
-    @property
-    def helix(self) -> float:
-        """Helix angle β, radians, not negative."""
-        return float(np.radians(self.helix_angle))
+        """m_n in the length unit."""
+        return self.helix.normal_module
 
     @property
     def _nominal_thickness(self) -> float:
         if self.circular_thickness is not None:
             return self.circular_thickness
-        return float(np.pi * self.normal_module / np.cos(self.helix) / 2.0)
+        return float(np.pi * self.normal_module / np.cos(self.helix.angle) / 2.0)
 
     @cached_property
     def tooth(self) -> RackTooth:
@@ -110,7 +111,7 @@ class Rack(Element):
         bare = RackTooth(
             module=module,
             pressure_angle=float(np.radians(self.pressure_angle)),
-            helix_angle=self.helix,
+            helix_angle=self.helix.angle,
             addendum=addendum,
             dedendum=dedendum,
             thickness=self._nominal_thickness - self.backlash / 2.0,
@@ -132,7 +133,7 @@ class Rack(Element):
     @property
     def motion(self) -> Motion:
         """How the transverse section moves from z = 0 to the face width: sheared by b tan β along +y if right-hand."""
-        shift = float((1 if self.hand == "right" else -1) * self.face_width * np.tan(self.helix))
+        shift = float(self.helix.sense * self.face_width * np.tan(self.helix.angle))
         return Extrusion(length=self.face_width, skew=(0.0, shift)) if shift else Straight()
 
     @cached_property

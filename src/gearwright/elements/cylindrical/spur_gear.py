@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from ...motions.motion import Motion
 from ...motions.straight import Straight
-from ..element import module_in
 from .external_gear import ExternalGear
 
 
@@ -18,18 +16,6 @@ class SpurGear(ExternalGear):
     Frame: axis z, teeth from z = 0 to the face width, first tooth centred on +x. Raises ParameterError with every
     problem found. Source: ISO 21771; Al-Daccak 1989, ch. 4.5.2.
     """
-
-    @property
-    def helix(self) -> float:
-        return 0.0
-
-    @property
-    def hand_sense(self) -> int:
-        return 1
-
-    @cached_property
-    def normal_module(self) -> float:
-        return module_in(self.length_unit, self.module, self.diametral_pitch)
 
     @property
     def motion(self) -> Motion:

@@ -143,8 +143,9 @@ def _flank(tooth: ExternalTooth | InternalTooth, unit: str) -> Iterator[Found]:
             yield "tip_relief_height", f"reaches below the flank; less than {rounded_down(limit)} {unit}"
             return
     tip = np.pi / toothing.teeth - flank.tip_half if toothing.internal else flank.tip_half
-    if tip <= 0.0 and flank.relief is not None:
-        limit = flank.relief.amount + tip * toothing.base_radius
-        yield "tip_relief", f"leaves nothing of the tip; less than {rounded_down(limit)} {unit}"
-    elif tip <= 0.0:
+    without = tip + (flank.relief.amount / toothing.base_radius if flank.relief else 0.0)
+    if without <= 0.0:
         yield "tip_chamfer", "leaves nothing of the tip; a smaller one does"
+    elif tip <= 0.0:
+        limit = without * toothing.base_radius
+        yield "tip_relief", f"leaves nothing of the tip; less than {rounded_down(limit)} {unit}"

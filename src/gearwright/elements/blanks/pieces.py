@@ -8,17 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..boundary.gluing import Joint
-from ..curves.arc import Arc
-from ..curves.line import lines_through
-from ..motions.ends import between
-from ..motions.revolution import FULL_TURN, Revolution
-from ..motions.straight import Straight
-from ..sections.loop import Loop
-from ..sections.plane import Section
-from ..solids.composite import Composite
-from ..solids.solid import Solid
-from ..solids.swept import Swept
+from ...boundary.gluing import Joint
+from ...curves.arc import Arc
+from ...curves.line import lines_through
+from ...motions.ends import between
+from ...motions.revolution import FULL_TURN, Revolution
+from ...motions.straight import Straight
+from ...sections.loop import Loop
+from ...sections.plane import Section
+from ...solids.composite import Composite
+from ...solids.solid import Solid
+from ...solids.swept import Swept
 from .keyway import KeyedBore
 
 _OUTER_WALL, _HOLE = "loop 1.1", "loop 2"  # faces of the pieces, as sweeps name them

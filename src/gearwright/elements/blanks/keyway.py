@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..curves.arc import Arc
-from ..curves.line import lines_through
-from ..sections.loop import Loop
+from ...curves.arc import Arc
+from ...curves.line import lines_through
+from ...sections.loop import Loop
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..parameters import MILLIMETRES, rounded_down, rounded_up
-from . import refusals
-from .standards.din_6885 import LEAST_BORE, MOST_BORE
-
-if TYPE_CHECKING:
-    from .blank import Blank
+from ...parameters import MILLIMETRES, rounded_down, rounded_up
+from .. import refusals
+from ..standards.din_6885 import LEAST_BORE, MOST_BORE
+from .blank import Blank
 
 Found = Iterator[tuple[str, str]]
 

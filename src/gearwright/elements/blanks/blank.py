@@ -6,13 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
 
-from ..parameters import MILLIMETRES, Size
-from ..sections.loop import Loop
-from ..solids.solid import Solid
-from .blank_limits import blank_problems
-from .blank_pieces import HoleCircle, Zone, assembled, circle, zones
+from ...parameters import MILLIMETRES, Size
+from ...sections.loop import Loop
+from ...solids.solid import Solid
+from ..standards.din_6885 import parallel_key
 from .keyway import KeyedBore
-from .standards.din_6885 import parallel_key
+from .pieces import HoleCircle, Zone, assembled, circle, zones
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +28,7 @@ class Blank:
     web_holes, web_hole_diameter, web_hole_circle   round holes through the web, the first one centred on +x, their
                                   middles on a circle of that diameter; midway between hub and rim if not given
 
-    Lengths are in the length unit. Whether a body has these sizes, `problems` says.
+    Lengths are in the length unit. Whether a body has these sizes, `blank_problems` says.
     """
 
     bore: float | None = None
@@ -50,10 +49,6 @@ class Blank:
     def of(cls, element: object) -> Blank:
         """The blank of an element that declares parameters of these names."""
         return cls(**{field.name: getattr(element, field.name) for field in fields(cls)})
-
-    def problems(self, root_diameter: float, face_width: float) -> list[tuple[str, str]]:
-        """Names of parameters that allow no such body inside these teeth, and why; none where all is well."""
-        return blank_problems(self, root_diameter, face_width)
 
     @cached_property
     def keyed_bore(self) -> KeyedBore | None:

@@ -1,0 +1,1 @@
+"""Bodies of gears inside their teeth: bore, keyway, hub, web with holes."""
