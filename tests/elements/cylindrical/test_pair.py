@@ -74,7 +74,7 @@ def test_a_published_internal_pair():
     found = _values(pair)
     assert found["working_pressure_angle"] == pytest.approx(31.0937, abs=1e-4)
     assert found["centre_distance"] == pytest.approx(13.1683, abs=0.6e-4)
-    assert found["centre_distance_modification"] == pytest.approx(0.389426, abs=0.6e-6)
+    assert found["centre_distance_modification"] == pytest.approx(0.38942, abs=0.6e-5)
     assert found["pinion_working_diameter"] == pytest.approx(52.673, abs=0.6e-3)
     assert found["gear_working_diameter"] == pytest.approx(79.010, abs=0.6e-3)
     assert _values(pair.gear)["root_diameter"] == pytest.approx(82.5, rel=1e-12)
@@ -156,3 +156,11 @@ def test_what_is_unusual_of_either_member_is_said_once():
 def test_undercut_that_shortens_contact_is_said():
     assert any("undercut" in remark for remark in GearPair(teeth=(10, 60), module=2.0, face_width=10.0).remarks)
     assert not GearPair(teeth=(20, 60), module=2.0, face_width=10.0).remarks
+
+
+@pytest.mark.parametrize("root", ["radial", "fillet"])
+def test_sliding_without_bounds_is_left_out(root):
+    """Radial roots let contact go down to the base circles, on either member, where sliding has no bounds."""
+    found = _values(GearPair(teeth=(7, 7), module=0.5, face_width=2.0, backlash=0.025, root=root))
+    assert ("gear_specific_sliding" in found) == ("pinion_specific_sliding" in found) == (root == "fillet")
+    assert all(np.isfinite(value) for value in found.values())

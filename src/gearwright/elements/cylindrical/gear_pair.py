@@ -10,7 +10,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ParameterError
-from ...parameters import Problems, Size, declarations, declared, member_value
+from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import refusals
 from ..element import Element
@@ -28,6 +28,7 @@ from .mesh_checks import check_mesh
 from .mesh_sizes import mesh_remarks, mesh_sizes
 from .placing import gears_in_mesh, pinion_on_rack
 from .rack import Rack
+from .sharing import second_values_without_use, values_of_member
 from .spur_gear import SpurGear
 from .toothing import Toothing
 
@@ -142,18 +143,15 @@ class GearPair(Pair):
 
     def _check_shared(self, problems: Problems) -> None:
         """Adds values that the gear has no use for, and face widths that do not go together."""
-        used = {one.name for one in declarations(MEMBERS[self.kind][1])}
-        for one in declarations(type(self)):
-            value = getattr(self, one.name)
-            if one.name not in used and one.members == "both" and isinstance(value, tuple) and value[1]:
-                problems.add(one.name, refusals.no_second(self.kind))
+        for name in second_values_without_use(self, MEMBERS[self.kind][1]):
+            problems.add(name, refusals.no_second(self.kind))
         widths = self.face_width
         if self.kind == "herringbone" and isinstance(widths, tuple) and widths[0] != widths[1]:
             problems.add("face_width", refusals.UNLIKE_HALVES)
 
     def _check_members(self, problems: Problems) -> None:
         """Adds problems of the members; where a profile shift is one that follows from the distance, of that."""
-        follows = self.profile_shift is None
+        follows = self.profile_shift is None and self.centre_distance is not None
         settled = (*_SETTLED, "profile_shift") if follows else _SETTLED
         builds = {"pinion": lambda: self.pinion, "gear": self._gear_of_sound_pinion}
         problems.add_members(builds, settled)
@@ -207,22 +205,12 @@ class GearPair(Pair):
 
     def _values(self, member: int) -> dict[str, Any]:
         """The parameters of a member that are this pair's own."""
-        own = {one.name for one in declarations(type(self))}
-        names = [one.name for one in declarations(MEMBERS[self.kind][member]) if one.name in own]
-        values = {name: member_value(getattr(self, name), member) for name in names}
-        if "tip_relief_height" in values and not values["tip_relief"] and self._one_relief_height:
-            values["tip_relief_height"] = None
+        values = values_of_member(self, member, MEMBERS[self.kind][member])
         if "helix_angle" in values:
             values["helix_angle"] = self.helix_angle or 0.0
         if "profile_shift" in values:
             values["profile_shift"] = (self.axes.shifts or (0.0, 0.0))[member]
         return values
-
-    @property
-    def _one_relief_height(self) -> bool:
-        """Whether one height is given for whichever of the members are relieved."""
-        reliefs = [member_value(self.tip_relief, member) for member in (0, 1)]
-        return any(reliefs) and not isinstance(self.tip_relief_height, tuple)
 
     @cached_property
     def pinion(self) -> ExternalGear:
@@ -247,21 +235,15 @@ class GearPair(Pair):
             return values
         coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
         addendum = (coefficient + values["profile_shift"] + k) * self.axes.pinion.module
-        if addendum <= 0.0:
-            return values  # so that it is the shift that is refused
-        return {**values, "addendum_coefficient": None, "addendum": addendum}
+        changed = {**values, "addendum_coefficient": None, "addendum": addendum}
+        return changed if addendum > 0.0 else values  # so that the member tells what is wrong
 
     def _clear_of_the_pinion(self, values: dict[str, Any]) -> dict[str, Any]:
         """An internal gear's parameters with its tips shortened so that they stay on the pinion's involutes."""
-        if not self._shortens(values):
+        axes = self.axes
+        if not self._shortens(values) or not isinstance(axes, AxesOfGears):
             return values
-        pinion, axes = self.pinion.tooth, self.axes
-        if not isinstance(axes, AxesOfGears):
-            return values
-        distance = axes.centre_distance or axes.reference
-        begins = axes.pinion.base_radius * float(pinion.toothing.roll(pinion.form_radius))
-        string = float(np.sqrt(distance**2 - axes.least**2)) + begins
-        largest = axes.gear.pitch_radius - float(np.hypot(axes.gear.base_radius, string))
+        largest = axes.addendum_down_to(self.pinion.tooth.form_radius)
         coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
         asked = (coefficient + values["profile_shift"]) * axes.pinion.module
         if asked <= largest or largest <= 0.0:
@@ -293,12 +275,11 @@ class GearPair(Pair):
         At turn 0 the pinion's first tooth points at +x, into the middle of a space of its mate.
         """
         angle = float(np.radians(turn))
+        distance = self.mesh.centre_distance
         if isinstance(self.gear, Rack):
-            tooth = self.gear.tooth
-            return pinion_on_rack(
-                self.pinion.pitch_radius, self.mesh.centre_distance, self.teeth[1], tooth.circular_pitch, angle
-            )
-        return gears_in_mesh(self.teeth, self.mesh.centre_distance, angle, internal=self.kind == "internal")
+            pitch = self.gear.tooth.circular_pitch
+            return pinion_on_rack(self.pinion.pitch_radius, distance, self.teeth[1], pitch, angle)
+        return gears_in_mesh(self.teeth, distance, angle, internal=self.kind == "internal")
 
     @property
     def remarks(self) -> list[str]:

@@ -141,9 +141,9 @@ class GearMesh(Mesh):
         )
 
     def specific_sliding(self, string: float) -> tuple[float, float]:
-        """ζ₁ = 1 − (ρ₂/ρ₁)(z₁/z₂) and ζ₂ = 1 − (ρ₁/ρ₂)(z₂/z₁)."""
+        """ζ₁ = 1 − (ρ₂/ρ₁)(z₁/z₂) and ζ₂ = 1 − (ρ₁/ρ₂)(z₂/z₁), which is −∞ on the gear's base circle."""
         faster = self.string_of_gear(string) / string * self.pinion.toothing.teeth / self.gear.toothing.teeth
-        return 1.0 - faster, 1.0 - 1.0 / faster
+        return 1.0 - faster, 1.0 - 1.0 / faster if faster else -np.inf
 
 
 @dataclass(frozen=True, kw_only=True)
