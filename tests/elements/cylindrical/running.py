@@ -94,7 +94,9 @@ class Running:
     def __init__(self, pair: GearPair, level: float = 0.0):
         self.pair, self.level = pair, level
         self.rack = isinstance(pair.gear, Rack)
-        self.pitch = np.pi * pair.gear.normal_module / np.cos(pair.pinion.helix) if self.rack else None
+        self.pitch = (
+            np.pi * pair.gear.normal_module / np.cos(np.radians(pair.helix_angle or 0.0)) if self.rack else None
+        )
 
     def contacts(self, turn: float) -> list[Contact]:
         """The first touch of every two flanks near each other, with the pinion turned by so many of its pitches."""
@@ -128,7 +130,7 @@ class Running:
                 yield PlacedFlank(patch, self.level, seat, 2.0 * np.pi * k / member.teeth)
 
     def _may_touch(self, own, other) -> bool:
-        reach = 3.5 * self.pair.pinion.normal_module / np.cos(self.pair.pinion.helix)
+        reach = 3.5 * self.pair.pinion.normal_module / np.cos(np.radians(self.pair.helix_angle or 0.0))
         pitch_point = np.array([self.pair.mesh.working_radius, 0.0])
         close = all(np.linalg.norm(one.middle - pitch_point) < reach for one in (own, other))
         return close and own.outward @ other.outward < 0.0

@@ -120,6 +120,42 @@ def test_normal_backlash(name):
     assert _along_the_normal(pair) == pytest.approx(pair.sizes()["normal_backlash"].value, rel=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("kind", "thickness", "more"),
+    [
+        ("spur", (3.3, 2.7), {}),
+        ("spur", (3.0, 3.4), {"profile_shift": (0.0, 0.3)}),
+        ("helical", (3.2, 2.9), {"helix_angle": 15.0}),
+        ("internal", (3.2, 2.9), {}),
+        ("internal", (2.9, 2.6), {"profile_shift": (0.0, -0.4), "backlash": 0.4}),
+        ("rack", (3.2, 2.9), {}),
+    ],
+)
+def test_given_thicknesses_make_the_backlash_told(kind, thickness, more):
+    values = {"kind": kind, "teeth": (20, 60), "module": 2.0, "face_width": 10.0, **more}
+    pair = GearPair(**values, circular_thickness=thickness)
+    plays = np.array([Running(pair).plays(turn) for turn in TURNS[:2]])
+    assert np.ptp(plays, axis=0) == pytest.approx(0.0, abs=1e-12)
+    sizes = pair.sizes()
+    radius = 1.0 if kind == "rack" else sizes["gear_working_diameter"].value / 2.0
+    assert (plays[0, 1] - plays[0, 0]) * radius == pytest.approx(sizes["backlash"].value, rel=1e-9)
+    assert plays[0, 1] == pytest.approx(-plays[0, 0], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("values", "radius"),
+    [
+        ({"teeth": (20, 30), "tip_diameter": (43.0, 63.0)}, 31.5),
+        ({"kind": "internal", "teeth": (30, 70), "tip_diameter": (63.0, 137.4)}, 68.7),
+    ],
+)
+def test_given_tip_diameters_bound_the_flanks(values, radius):
+    pair = GearPair(**values, module=2.0, face_width=10.0)
+    gear = Running(pair).contacts(0.1)[0].flanks[1]
+    ends = np.linalg.norm(gear.points(np.array([0.0, 1.0])) - gear.placement[:2, 3], axis=1)
+    assert (min(ends) if pair.kind == "internal" else max(ends)) == pytest.approx(radius, rel=1e-12)
+
+
 def _along_the_normal(pair):
     """Play of one flank after the other, each along the contact's normal in space."""
     running, found = Running(pair), {}
