@@ -191,19 +191,31 @@ def thin_ring(limit: float, unit: str) -> str:
 
 NO_ROOM_INSIDE = "an internal gear must have more teeth than its pinion, which is named first"
 
-NO_DISTANCE = "there is no centre distance at which teeth of such a sum of profile shifts run; a larger sum has one"
+UNLIKE_HALVES = "the halves of herringbone teeth meet at mid-face, so both members need the same; give one value"
+
+
+def no_second(kind: str) -> str:
+    """For a second value, of a parameter that only the pinion has."""
+    mate = "an internal gear" if kind == "internal" else f"a {kind}"
+    return f"{mate} has none; give one value, the pinion's"
+
+
+def no_distance(limit: float, *, internal: bool) -> str:
+    """Profile shifts so far out that the flanks would meet below the base circles."""
+    words = f"less than {np.floor(limit * 1e4) / 1e4:g}" if internal else f"more than {np.ceil(limit * 1e4) / 1e4:g}"
+    return f"there is no centre distance at which teeth of such profile shifts run; their sum must be {words}"
 
 
 def near_axes(limit: float, unit: str) -> str:
     """Axes without a line of action between the base circles."""
-    return f"the axes are too near for involutes to meet; more than {limit:.6g} {unit}"
+    return f"the axes are too near for involutes to meet; more than {rounded_up(limit, 6)} {unit}"
 
 
-def far_shift(shift: float, reference: float, unit: str) -> str:
+def far_shift(shift: float, of: str, reference: float, unit: str) -> str:
     """A centre distance far from what teeth numbers and module make."""
     return (
-        f"would take a profile shift of {shift:.3g} modules each; without any the distance is {reference:.6g} {unit} "
-        "(other teeth numbers or another module suit it better)"
+        f"would take a profile shift of {shift:.3g} modules of {of}; without any the distance is {reference:.6g} "
+        f"{unit} (other teeth numbers or another module suit it better)"
     )
 
 

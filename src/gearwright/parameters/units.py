@@ -29,20 +29,20 @@ class Size:
     meaning: str
 
 
-def rounded_down(value: float) -> str:
-    """A limit to four digits, never above it, so that what is followed is accepted."""
+def rounded_down(value: float, digits: int = 4) -> str:
+    """A limit to so many digits, never above it, so that what is followed is accepted."""
     if value <= 0.0 or not math.isfinite(value):
-        return f"{value:.4g}"
-    step = 10.0 ** (math.floor(math.log10(value)) - 3)
-    return f"{math.floor(value / step) * step:.4g}"
+        return f"{value:.{digits}g}"
+    step = 10.0 ** (math.floor(math.log10(value)) + 1 - digits)
+    return f"{math.floor(value / step) * step:.{digits}g}"
 
 
-def rounded_up(value: float) -> str:
-    """A least value to four digits, never below it, so that what is followed is accepted."""
+def rounded_up(value: float, digits: int = 4) -> str:
+    """A least value to so many digits, never below it, so that what is followed is accepted."""
     if value <= 0.0 or not math.isfinite(value):
-        return f"{value:.4g}"
-    step = 10.0 ** (math.floor(math.log10(value)) - 3)
-    return f"{math.ceil(value / step) * step:.4g}"
+        return f"{value:.{digits}g}"
+    step = 10.0 ** (math.floor(math.log10(value)) + 1 - digits)
+    return f"{math.ceil(value / step) * step:.{digits}g}"
 
 
 def in_words(value: object, unit: Unit, length_unit: str) -> str:

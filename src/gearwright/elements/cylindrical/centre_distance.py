@@ -61,6 +61,20 @@ class AxesOfGears:
         """y = (a − a_d)/m_n."""
         return ((self.centre_distance or np.nan) - self.reference) / self.pinion.module
 
+    def addendum_down_to(self, radius: float) -> float:
+        """Addendum of an internal gear whose tips meet the pinion's involutes at a radius on these.
+
+        On the line of action that is at ρ₂ = a sin α_wt + ρ₁ from the gear's base circle.
+        """
+        distance = self.centre_distance or self.reference
+        first = self.pinion.base_radius * float(self.pinion.roll(radius))
+        second = float(np.sqrt(distance**2 - self.least**2)) + first
+        return self.gear.pitch_radius - float(np.hypot(self.gear.base_radius, second))
+
+    @property
+    def members(self) -> tuple[Toothing, Toothing]:
+        return self.pinion, self.gear
+
     @property
     def shortening(self) -> float:
         """k = y − (x₁ + x₂) modules by which tips are changed to keep the clearance; an internal pair needs none."""

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...parameters import Problems, Size, declarations, declared, member_value
+from ...errors import ParameterError
+from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import refusals
+from ..element import Element
 from ..pair import Pair
 from ..standards.iso_53 import BASIC_RACKS
 from .centre_distance import AxesOfGears, AxisOverRack
@@ -21,11 +23,12 @@ from .helical_gear import HelicalGear
 from .helix import Helix, require_one_module
 from .herringbone_gear import HerringboneGear
 from .internal_gear import InternalGear
-from .mesh import GearMesh, Mesh, RackMesh
+from .mesh import GearMesh, Mesh, RackMesh, least_sum_of_shifts
 from .mesh_checks import check_mesh
 from .mesh_sizes import mesh_remarks, mesh_sizes
 from .placing import gears_in_mesh, pinion_on_rack
 from .rack import Rack
+from .sharing import second_values_without_use, values_of_member
 from .spur_gear import SpurGear
 from .toothing import Toothing
 
@@ -39,7 +42,7 @@ MEMBERS: dict[str, tuple[type[ExternalGear], type[CylindricalGear | Rack]]] = {
 """What pinion and gear of each kind of pair are; a helical pinion of helix angle 0 is a spur gear."""
 
 _HELICAL = {"kind": ("helical", "herringbone", "internal", "rack")}
-_SETTLED = ("profile_shift", "module", "hand")
+_SETTLED = ("module", "hand")
 _MOST_SHIFT = 2.0  # modules: no tooth has room for more
 _OF_THE_AXES = (
     "kind", "teeth", "module", "transverse_module", "diametral_pitch", "pressure_angle", "helix_angle",
@@ -126,17 +129,52 @@ class GearPair(Pair):
         require_one_module(problems, self)
         if self.kind in ("helical", "herringbone") and self.helix_angle is None:
             problems.add("helix_angle", f"is needed: {d.HELIX_ANGLE.meaning}")
+        if problems.counted() and problems.sound("kind"):
+            self._check_shared(problems)
         ready = problems.counted() and problems.computable(*_OF_THE_AXES) and problems.sound("kind", "teeth", "module")
         if ready:
             self._check_axes(problems)
         if ready and problems.sound("teeth", "profile_shift", "centre_distance"):
-            problems.add_members({"pinion": lambda: self.pinion}, settled=_SETTLED)
-            if problems.sound():
-                problems.add_members({"gear": lambda: self.gear}, settled=_SETTLED)
+            self._check_members(problems)
             if problems.sound():
                 for name, message in check_mesh(self.mesh, self.length_unit):
                     problems.add(name, message)
         problems.raise_any()
+
+    def _check_shared(self, problems: Problems) -> None:
+        """Adds values that the gear has no use for, and face widths that do not go together."""
+        for name in second_values_without_use(self, MEMBERS[self.kind][1]):
+            problems.add(name, refusals.no_second(self.kind))
+        widths = self.face_width
+        if self.kind == "herringbone" and isinstance(widths, tuple) and widths[0] != widths[1]:
+            problems.add("face_width", refusals.UNLIKE_HALVES)
+
+    def _check_members(self, problems: Problems) -> None:
+        """Adds problems of the members; where a profile shift is one that follows from the distance, of that."""
+        follows = self.profile_shift is None and self.centre_distance is not None
+        settled = (*_SETTLED, "profile_shift") if follows else _SETTLED
+        builds = {"pinion": lambda: self.pinion, "gear": self._gear_of_sound_pinion}
+        problems.add_members(builds, settled)
+        if follows and problems.sound():
+            try:
+                for build in builds.values():
+                    build()
+            except ParameterError:
+                self._add_far_shift(problems)
+
+    def _gear_of_sound_pinion(self) -> Element | None:
+        """The gear; None for an internal one whose tips would have to clear a pinion that cannot be built."""
+        if self.kind == "internal":
+            try:
+                self.pinion  # noqa: B018
+            except ParameterError:
+                return None
+        return self.gear
+
+    def _add_far_shift(self, problems: Problems) -> None:
+        largest = max(self.axes.shifts or (0.0, 0.0), key=abs)
+        of = "the pinion" if self.kind == "rack" else "each"
+        problems.add("centre_distance", refusals.far_shift(largest, of, self.axes.reference, self.length_unit))
 
     def _check_axes(self, problems: Problems) -> None:
         """Adds problems of where the axes are, before there are members."""
@@ -145,10 +183,10 @@ class GearPair(Pair):
         elif self.axes.shifts is None or (self.centre_distance is not None and self.axes.centre_distance is None):
             problems.add("centre_distance", refusals.near_axes(self.axes.least, self.length_unit))
         elif self.axes.centre_distance is None:
-            problems.add("profile_shift", refusals.NO_DISTANCE)
+            limit = least_sum_of_shifts(*self.axes.members)
+            problems.add("profile_shift", refusals.no_distance(limit, internal=self.kind == "internal"))
         elif self.profile_shift is None and max(map(abs, self.axes.shifts)) > _MOST_SHIFT:
-            largest = max(self.axes.shifts, key=abs)
-            problems.add("centre_distance", refusals.far_shift(largest, self.axes.reference, self.length_unit))
+            self._add_far_shift(problems)
 
     @cached_property
     def axes(self) -> AxesOfGears | AxisOverRack:
@@ -167,9 +205,7 @@ class GearPair(Pair):
 
     def _values(self, member: int) -> dict[str, Any]:
         """The parameters of a member that are this pair's own."""
-        own = {one.name for one in declarations(type(self))}
-        names = [one.name for one in declarations(MEMBERS[self.kind][member]) if one.name in own]
-        values = {name: member_value(getattr(self, name), member) for name in names}
+        values = values_of_member(self, member, MEMBERS[self.kind][member])
         if "helix_angle" in values:
             values["helix_angle"] = self.helix_angle or 0.0
         if "profile_shift" in values:
@@ -199,19 +235,15 @@ class GearPair(Pair):
             return values
         coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
         addendum = (coefficient + values["profile_shift"] + k) * self.axes.pinion.module
-        return {**values, "addendum_coefficient": None, "addendum": addendum}
+        changed = {**values, "addendum_coefficient": None, "addendum": addendum}
+        return changed if addendum > 0.0 else values  # so that the member tells what is wrong
 
     def _clear_of_the_pinion(self, values: dict[str, Any]) -> dict[str, Any]:
         """An internal gear's parameters with its tips shortened so that they stay on the pinion's involutes."""
-        if not self._shortens(values):
+        axes = self.axes
+        if not self._shortens(values) or not isinstance(axes, AxesOfGears):
             return values
-        pinion, axes = self.pinion.tooth, self.axes
-        if not isinstance(axes, AxesOfGears):
-            return values
-        distance = axes.centre_distance or axes.reference
-        begins = axes.pinion.base_radius * float(pinion.toothing.roll(pinion.form_radius))
-        string = float(np.sqrt(distance**2 - axes.least**2)) + begins
-        largest = axes.gear.pitch_radius - float(np.hypot(axes.gear.base_radius, string))
+        largest = axes.addendum_down_to(self.pinion.tooth.form_radius)
         coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
         asked = (coefficient + values["profile_shift"]) * axes.pinion.module
         if asked <= largest or largest <= 0.0:
@@ -243,17 +275,17 @@ class GearPair(Pair):
         At turn 0 the pinion's first tooth points at +x, into the middle of a space of its mate.
         """
         angle = float(np.radians(turn))
+        distance = self.mesh.centre_distance
         if isinstance(self.gear, Rack):
-            tooth = self.gear.tooth
-            return pinion_on_rack(
-                self.pinion.pitch_radius, self.mesh.centre_distance, self.teeth[1], tooth.circular_pitch, angle
-            )
-        return gears_in_mesh(self.teeth, self.mesh.centre_distance, angle, internal=self.kind == "internal")
+            pitch = self.gear.tooth.circular_pitch
+            return pinion_on_rack(self.pinion.pitch_radius, distance, self.teeth[1], pitch, angle)
+        return gears_in_mesh(self.teeth, distance, angle, internal=self.kind == "internal")
 
     @property
     def remarks(self) -> list[str]:
         """What is unusual about the pair, though it can be built."""
-        return [*self.pinion.remarks, *mesh_remarks(self.mesh, self.overlap)]
+        members = dict.fromkeys([*self.pinion.remarks, *self.gear.remarks])
+        return [*members, *mesh_remarks(self.mesh, self.overlap)]
 
     @property
     def description(self) -> str:

@@ -14,6 +14,7 @@ from .internal_tooth import InternalTooth
 from .rack_tooth import RackTooth
 from .toothing import Toothing
 
+_ROUNDING = 1e-14  # of a radius: what arcs on it are computed to
 _NOTABLE = 1e-3  # modules: the proportions of basic racks are rounded to so much
 
 
@@ -129,7 +130,7 @@ class GearMesh(Mesh):
         radii = self.working_radius, self.gear.toothing.base_radius / np.cos(self.working_pressure_angle)
         teeth = (self.pinion.toothing, self.gear.toothing)
         thick = sum(one.thickness_at(radius) * radius for one, radius in zip(teeth, radii, strict=True))
-        return float(2.0 * np.pi * radii[0] / teeth[0].teeth - thick)
+        return _unless_rounding(float(2.0 * np.pi * radii[0] / teeth[0].teeth - thick), float(max(radii)))
 
     @property
     def clearances(self) -> tuple[float, float]:
@@ -140,9 +141,9 @@ class GearMesh(Mesh):
         )
 
     def specific_sliding(self, string: float) -> tuple[float, float]:
-        """ζ₁ = 1 − (ρ₂/ρ₁)(z₁/z₂) and ζ₂ = 1 − (ρ₁/ρ₂)(z₂/z₁)."""
+        """ζ₁ = 1 − (ρ₂/ρ₁)(z₁/z₂) and ζ₂ = 1 − (ρ₁/ρ₂)(z₂/z₁), which is −∞ on the gear's base circle."""
         faster = self.string_of_gear(string) / string * self.pinion.toothing.teeth / self.gear.toothing.teeth
-        return 1.0 - faster, 1.0 - 1.0 / faster
+        return 1.0 - faster, 1.0 - 1.0 / faster if faster else -np.inf
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -170,7 +171,8 @@ class RackMesh(Mesh):
     @property
     def backlash(self) -> float:
         toothing = self.pinion.toothing
-        return float(toothing.circular_pitch - toothing.thickness - 2.0 * self.rack.half_thickness(self.offset))
+        left = toothing.circular_pitch - toothing.thickness - 2.0 * self.rack.half_thickness(self.offset)
+        return _unless_rounding(float(left), self.centre_distance)
 
     @property
     def clearances(self) -> tuple[float, float]:
@@ -186,6 +188,11 @@ class RackMesh(Mesh):
         return float(1.0 - faster), float(1.0 - 1.0 / faster)
 
 
+def _unless_rounding(backlash: float, radius: float) -> float:
+    """A backlash, or exactly 0 where it is no more than the rounding of arcs on that radius."""
+    return backlash if abs(backlash) > _ROUNDING * radius else 0.0
+
+
 def distance_of_shifts(pinion: Toothing, gear: Toothing) -> float | None:
     """The centre distance without backlash at which the profile shifts let the gears run; None where there is none.
 
@@ -194,12 +201,21 @@ def distance_of_shifts(pinion: Toothing, gear: Toothing) -> float | None:
     sign = gear.outward
     shifts = pinion.profile_shift + gear.profile_shift
     teeth = pinion.teeth + sign * gear.teeth
+    if not shifts:
+        return gear.pitch_radius + sign * pinion.pitch_radius
     turned = float(involute_function(pinion.transverse_pressure_angle))
     target = turned + 2.0 * np.tan(pinion.pressure_angle) * shifts / teeth
     if target <= 0.0:
         return None
     working = float(inverse_involute_function(target))
     return float((gear.base_radius + sign * pinion.base_radius) / np.cos(working))
+
+
+def least_sum_of_shifts(pinion: Toothing, gear: Toothing) -> float:
+    """The sum x₁ + x₂ of profile shifts at which the base circles touch; of an internal pair, the largest sum."""
+    teeth = pinion.teeth + gear.outward * gear.teeth
+    turned = float(involute_function(pinion.transverse_pressure_angle))
+    return float(-turned * teeth / (2.0 * np.tan(pinion.pressure_angle)))
 
 
 def shifts_of_distance(pinion: Toothing, gear: Toothing, distance: float) -> float | None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...curves.involute import inverse_involute_function
-from ...parameters import rounded_down
+from ...parameters import rounded_down, rounded_up
 from .. import refusals
 from .mesh import GearMesh, Mesh
 from .tip_paths import cut_depths
@@ -15,6 +15,9 @@ from .tooth_checks import Found
 
 _ROUNDING = 1e-9  # modules by which teeth of no backlash may seem to jam
 _TOUCHING = 1e-6  # modules by which a tip on the flank may seem to cut: it is followed in finite steps
+
+_DIGITS = 6  # of distances that people follow
+_EXACT = 1e-12  # of a distance: what is nearer to a round number is that number
 
 
 def check_mesh(mesh: Mesh, unit: str) -> list[Found]:
@@ -34,7 +37,7 @@ def _free_distance(mesh: Mesh) -> str:
     """The distance at which there is no backlash, with the side on which there is some; "" where there is none."""
     if not isinstance(mesh, GearMesh):
         over = mesh.centre_distance - mesh.backlash / 2.0 / np.tan(mesh.working_pressure_angle)
-        return f"at least {over:.6g}"
+        return f"at least {_least(over)}"
     one, other = mesh.pinion.toothing, mesh.gear.toothing
     sign = other.outward
     filled = one.teeth * one.half_at_base + sign * other.teeth * other.half_at_base - (np.pi if sign > 0 else 0.0)
@@ -42,14 +45,20 @@ def _free_distance(mesh: Mesh) -> str:
     if target <= 0.0:
         return ""
     bases = other.base_radius + sign * one.base_radius
-    distance = bases / np.cos(float(inverse_involute_function(target)))
-    return f"{'at least' if sign > 0 else 'at most'} {distance:.6g}"
+    distance = float(bases / np.cos(float(inverse_involute_function(target))))
+    if sign > 0:
+        return f"at least {_least(distance)}"
+    return f"at most {rounded_down(distance * (1.0 + _EXACT), _DIGITS)}"
+
+
+def _least(distance: float) -> str:
+    return rounded_up(distance * (1.0 - _EXACT), _DIGITS)
 
 
 def _clearances(mesh: Mesh, unit: str) -> Iterator[Found]:
     for clearance, (tips, roots) in zip(mesh.clearances, _SIDES, strict=True):
         if clearance <= 0.0:
-            yield "addendum", refusals.no_clearance(tips, roots, -clearance, unit)
+            yield "addendum", refusals.no_clearance(tips, roots, abs(clearance), unit)
 
 
 _SIDES = (("pinion", "gear"), ("gear", "pinion"))

@@ -9,6 +9,8 @@ from .. import remarks
 from .mesh import GearMesh, Mesh
 from .sizes import in_unit
 
+_BOUNDLESS = 1e6  # specific sliding that is rounding away from a base circle, where it has no bounds
+
 
 def mesh_sizes(mesh: Mesh, overlap: float, reference: float, shifts: tuple[float, float]) -> dict[str, Size]:
     """Distances, angles, ratios, sliding, backlash and clearances.
@@ -60,7 +62,7 @@ def _sliding(mesh: Mesh) -> dict[str, tuple[float, str, str]]:
     if last > first:
         root = mesh.specific_sliding(last)[1]
         rows["gear_specific_sliding"] = (root, "ζ_f2", "specific sliding of the mate where contact ends")
-    return {name: row for name, row in rows.items() if np.isfinite(row[0])}
+    return {name: row for name, row in rows.items() if abs(row[0]) < _BOUNDLESS}
 
 
 def mesh_remarks(mesh: Mesh, overlap: float) -> list[str]:
