@@ -241,5 +241,7 @@ def no_clearance(tips: str, roots: str, depth: float, unit: str) -> str:
 def cutting_tips(tips: str, teeth: str, depth: str, unit: str, *, internal: bool) -> str:
     """Interference: tips that cut into the mate's teeth away from the path of contact."""
     ways = "more teeth, a shorter addendum, a profile shift or a larger pressure angle"
-    inside = ", and in an internal pair a larger difference of the teeth numbers," if internal else ""
+    inside = (
+        ", and in an internal pair a larger difference of the teeth numbers or full tip shortening," if internal else ""
+    )
     return f"interference: the {tips}'s tips would cut {depth} {unit} into the {teeth}'s teeth; {ways}{inside} avoid it"

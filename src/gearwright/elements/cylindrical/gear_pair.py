@@ -107,7 +107,7 @@ class GearPair(Pair):
     tip_chamfer: float | tuple[float, float] = declared(d.TIP_CHAMFER, default=0.0, members="both")
     crowning: float | tuple[float, float] = declared(d.CROWNING, default=0.0, members="both")
     bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
-    keyway: str | None = declared(d.KEYWAY, default=None)
+    keyway: str | tuple[str, str] | None = declared(d.KEYWAY, default=None, members="both")
     keyway_width: float | tuple[float, float] | None = declared(d.KEYWAY_WIDTH, default=None, members="both")
     keyway_depth: float | tuple[float, float] | None = declared(d.KEYWAY_DEPTH, default=None, members="both")
     hub_diameter: float | tuple[float, float] | None = declared(d.HUB_DIAMETER, default=None, members="both")
@@ -198,7 +198,7 @@ class GearPair(Pair):
             for teeth, internal in zip(self.teeth, (False, self.kind == "internal"), strict=True)
         )
         shifts = self.profile_shift
-        given = None if shifts is None else (float(member_value(shifts, 0)), float(member_value(shifts, 1)))
+        given = None if shifts is None else (member_value(shifts, 0) or 0.0, member_value(shifts, 1) or 0.0)
         if self.kind == "rack":
             return AxisOverRack(pinion=pinion, given=given, distance=self.centre_distance)
         return AxesOfGears(pinion=pinion, gear=gear, given=given, distance=self.centre_distance)

@@ -14,7 +14,7 @@ from .tip_paths import cut_depths
 from .tooth_checks import Found
 
 _ROUNDING = 1e-9  # modules by which teeth of no backlash may seem to jam
-_TOUCHING = 1e-6  # modules by which a tip on the flank may seem to cut: it is followed in finite steps
+_TOUCHING = 1e-5  # modules by which a tip on the flank may seem to cut: the radii of basic racks are rounded to that
 
 _DIGITS = 6  # of distances that people follow
 _EXACT = 1e-12  # of a distance: what is nearer to a round number is that number

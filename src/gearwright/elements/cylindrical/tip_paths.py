@@ -41,19 +41,20 @@ def _into(member: ExternalTooth | InternalTooth, mate: Flank, distance: float, s
     deepest = -np.inf
     for radius, half in _corners(mate):
         ways = _ways(distance * np.cos(facing), radius, own.tip_radius)
-        for side in (1.0, -1.0):
-            azimuth = facing + ways
-            place = np.stack([distance + radius * np.cos(azimuth), radius * np.sin(azimuth)], axis=-1)
-            tooth = ways - side * half  # the mate's tooth, from where it points at the middle of a space
-            turned = sense * tooth * other.teeth / own.teeth + np.pi / own.teeth
-            deepest = max(deepest, _depth_in_gear(member, place, turned))
+        azimuth = facing + ways
+        place = np.stack([distance + radius * np.cos(azimuth), radius * np.sin(azimuth)], axis=-1)
+        tooth = ways - half  # the mate's tooth, from where it points at the middle of a space
+        turned = sense * tooth * other.teeth / own.teeth + np.pi / own.teeth
+        deepest = max(deepest, _depth_in_gear(member, place, turned))
     return deepest
 
 
 def _corners(flank: Flank) -> list[tuple[float, float]]:
-    """Radii and half angles of the tooth's corners at its tip."""
+    """Radii and half angles of the corners on one side of the tooth's tip; the other side is its mirror image."""
     toothing = flank.toothing
-    ends = [(flank.usable_tip_radius, flank.end_half), (toothing.tip_radius, flank.tip_half)]
+    ends = [(flank.usable_tip_radius, flank.end_half)]
+    if flank.chamfer:
+        ends.append((toothing.tip_radius, flank.tip_half))
     if toothing.internal:
         return [(radius, np.pi / toothing.teeth - half) for radius, half in ends]
     return ends
@@ -91,8 +92,8 @@ def _rack_into_pinion(mesh: RackMesh) -> float:
     most = float(np.sqrt(max(0.0, toothing.tip_radius**2 - level**2)))
     height = np.linspace(-most, most, _SAMPLES)
     place = np.stack([np.full(_SAMPLES, level), height], axis=-1)
-    turned = [(height - side * rack.tip_half) / toothing.pitch_radius for side in (1.0, -1.0)]
-    return max(_depth_in_gear(mesh.pinion, place, turn + np.pi / toothing.teeth) for turn in turned)
+    turned = (height - rack.tip_half) / toothing.pitch_radius + np.pi / toothing.teeth
+    return _depth_in_gear(mesh.pinion, place, turned)
 
 
 def _pinion_into_rack(mesh: RackMesh) -> float:
@@ -105,10 +106,9 @@ def _pinion_into_rack(mesh: RackMesh) -> float:
         azimuth = np.linspace(-most, most, _SAMPLES)
         above = mesh.centre_distance - radius * np.cos(azimuth)
         inside = (above >= -rack.dedendum) & (above <= rack.addendum)
-        for side in (1.0, -1.0):
-            space = toothing.pitch_radius * (azimuth - side * half)  # the rack's space that faces the pinion's tooth
-            off = radius * np.sin(azimuth) - space - rack.circular_pitch / 2.0
-            off = np.abs(off - rack.circular_pitch * np.round(off / rack.circular_pitch))
-            deeper = (rack.half_at(above) - off)[inside]
-            deepest = max(deepest, float(np.max(deeper, initial=-np.inf)))
+        space = toothing.pitch_radius * (azimuth - half)  # the rack's space that faces the pinion's tooth
+        off = radius * np.sin(azimuth) - space - rack.circular_pitch / 2.0
+        off = np.abs(off - rack.circular_pitch * np.round(off / rack.circular_pitch))
+        deeper = (rack.half_at(above) - off)[inside]
+        deepest = max(deepest, float(np.max(deeper, initial=-np.inf)))
     return deepest
