@@ -122,6 +122,12 @@ def test_clearances_are_between_the_boundaries(name):
 
 
 INTERFERENCE = {
+    "long pinion teeth in a ring": {"kind": "internal", "teeth": (20, 60), "addendum_coefficient": (1.2, 0.8)},
+    "long pinion teeth in a rack": {
+        "kind": "rack",
+        "teeth": (80, 8),
+        "addendum_coefficient": (1.22, 0.9),
+    },
     "52/60, unshortened": {"kind": "internal", "teeth": (52, 60), "tip_shortening": "none"},
     "53/60": {"kind": "internal", "teeth": (53, 60)},
     "54/60": {"kind": "internal", "teeth": (54, 60)},
