@@ -16,10 +16,11 @@ STRAIGHT_WITH_ANGLE = 'a straight trace has none; choose trace "logarithmic", or
 NO_PROFILE = "it has no plane section, which is what is drawn; `picture` shows it, and `save` writes its polyhedron"
 
 
-def pointed_tooth(limit: float, unit: str) -> str:
-    """The addendum at which the flanks meet is exceeded."""
+def pointed_tooth(limit: float, unit: str, diameter: float | None = None) -> str:
+    """The addendum at which the flanks meet, at a tip diameter, is exceeded."""
+    tip = "" if diameter is None else f", a tip diameter less than {rounded_down(diameter)} {unit}"
     return (
-        f"the tooth comes to a point before its tip; less than {rounded_down(limit)} {unit} "
+        f"the tooth comes to a point before its tip; less than {rounded_down(limit)} {unit}{tip} "
         "(a smaller pressure angle or a thicker tooth allows more)"
     )
 

@@ -93,7 +93,8 @@ def _fillet(tooth: ExternalTooth, nominal: float | None, unit: str) -> Iterator[
 def _external_tip(tooth: ExternalTooth, unit: str) -> Iterator[Found]:
     toothing = tooth.toothing
     if toothing.tip_radius >= toothing.pointed_radius:
-        yield "addendum", refusals.pointed_tooth(toothing.pointed_radius - toothing.pitch_radius, unit)
+        most = toothing.pointed_radius - toothing.pitch_radius
+        yield "addendum", refusals.pointed_tooth(most, unit, 2.0 * toothing.pointed_radius)
 
 
 def check_crowning(tooth: ExternalTooth | InternalTooth, angle: float, unit: str) -> Iterator[Found]:
