@@ -177,11 +177,16 @@ def pins_that_do_not_touch(usual: float, unit: str) -> str:
     )
 
 
-def impossible_span(possible: Sequence[int]) -> str:
-    """A number of teeth whose span touches no flank."""
+def impossible_span(possible: Sequence[int], least_width: float, width: float, unit: str) -> str:
+    """A number of teeth whose span touches no flank, or needs a wider face than there is."""
     if not possible:
-        return "no span touches these flanks between form and tip circle"
+        return "no span touches flanks of this width between form and tip circle"
     said = str(possible[0]) if len(possible) == 1 else f"{possible[0]} to {possible[-1]}"
+    if least_width >= width:
+        face = f"a face of more than {rounded_up(least_width)} {unit}"
+        return (
+            f"the span over so many helical teeth needs {face}, and they run for {width:.4g} {unit}; {said} is possible"
+        )
     return f"planes over so many teeth do not touch the flanks between form and tip circle; {said} is possible"
 
 

@@ -9,8 +9,10 @@ from scipy.optimize import brentq, minimize, root
 from gearwright.curves.curve import Curve
 from gearwright.curves.involute import Involute
 from gearwright.elements.cylindrical.helical_gear import HelicalGear
+from gearwright.elements.cylindrical.herringbone_gear import HerringboneGear
 from gearwright.elements.cylindrical.internal_gear import InternalGear
 from gearwright.elements.cylindrical.spur_gear import SpurGear
+from gearwright.errors import ParameterError
 
 from .profiles import curves_of, polar, turned
 
@@ -87,7 +89,7 @@ GEARS = {
     "helical, odd, left": HelicalGear(
         teeth=31, module=1.5, face_width=30.0, helix_angle=35.0, hand="left", profile_shift=0.3
     ),
-    "helical, steep": HelicalGear(teeth=13, module=4.0, face_width=30.0, helix_angle=45.0, backlash=0.1),
+    "helical, steep": HelicalGear(teeth=13, module=4.0, face_width=60.0, helix_angle=45.0, backlash=0.1),
 }
 RINGS = {
     "even": InternalGear(teeth=40, module=2.0, face_width=10.0),
@@ -109,6 +111,18 @@ def test_the_span_is_the_distance_of_parallel_planes_on_the_flanks(name):
         width, _, parallel = _span(GEARS[name], int(sizes["span_teeth"].value), roll)
         assert width == pytest.approx(sizes["span"].value, rel=1e-11)
         assert parallel == pytest.approx(1.0, abs=1e-12)
+
+
+def test_spans_of_helical_teeth_lean_and_need_a_face_for_that():
+    """Their planes touch W sin β_b apart along the axis; sin β_b = sin β cos α_n."""
+    given = {"teeth": 24, "module": 2.0, "helix_angle": 20.0}
+    span = HelicalGear(**given, face_width=20.0, span_teeth=4).sizes()["span"].value
+    least = span * np.sin(np.radians(20.0)) * np.cos(np.radians(20.0))
+    assert HelicalGear(**given, face_width=1.001 * least, span_teeth=4).sizes()["span"].value == span
+    for element, width in ((HelicalGear, 0.999 * least), (HerringboneGear, 1.999 * least)):
+        with pytest.raises(ParameterError, match=r"needs a face of more than 6\.9"):
+            element(**given, face_width=width, span_teeth=4)
+    assert "span" not in HelicalGear(**given, face_width=2.0).sizes()
 
 
 @every_gear

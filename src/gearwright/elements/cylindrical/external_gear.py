@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 
@@ -19,7 +20,7 @@ from ..blanks.limits import blank_problems
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
-from .sizes import span_sizes, spans, undercut_limits, usual_span
+from .sizes import span_sizes, span_width, spans, undercut_limits, usual_span
 from .tooth_checks import check_external
 
 _ROOM = 0.99  # of the largest tip radius where flanks are crowned: their roots need a land that can grow
@@ -82,8 +83,19 @@ class ExternalGear(CylindricalGear):
 
     def _check_measured(self, problems: Problems) -> None:
         super()._check_measured(problems)
-        if self.span_teeth is not None and self.span_teeth not in spans(self.tooth):
-            problems.add("span_teeth", refusals.impossible_span(list(spans(self.tooth))))
+        if self.span_teeth is not None and self.span_teeth not in self._spans:
+            possible, least = list(self._spans), span_width(self.tooth, self.span_teeth)
+            problems.add("span_teeth", refusals.impossible_span(possible, least, self.flank_width, self.length_unit))
+
+    @property
+    def flank_width(self) -> float:
+        """Length along the axis on which teeth run on without a bend."""
+        return self.face_width
+
+    @property
+    def _spans(self) -> Mapping[int, float]:
+        """Numbers of teeth that can be spanned on this face, and the radii at which their spans touch."""
+        return spans(self.tooth, self.flank_width)
 
     @cached_property
     def tooth(self) -> ExternalTooth:
@@ -134,5 +146,5 @@ class ExternalGear(CylindricalGear):
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
-        teeth = usual_span(self.tooth) if self.span_teeth is None else self.span_teeth
+        teeth = usual_span(self.tooth, self._spans) if self.span_teeth is None else self.span_teeth
         return {**super().sizes(), **({} if teeth is None else span_sizes(self.tooth, teeth)), **self.blank.sizes()}

@@ -25,5 +25,10 @@ class HerringboneGear(ExternalGear):
     hand: str = declared(d.HELIX_HAND, default="right")
 
     @property
+    def flank_width(self) -> float:
+        """Half the face width: teeth bend in the middle."""
+        return self.face_width / 2.0
+
+    @property
     def motion(self) -> Motion:
         return Herringbone(length=self.face_width, twist=self.twist / 2.0) if self.twist else Straight()

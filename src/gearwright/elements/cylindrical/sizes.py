@@ -131,12 +131,18 @@ def span_sizes(tooth: ExternalTooth, teeth: int) -> dict[str, Size]:
     }
 
 
-def spans(tooth: ExternalTooth) -> Mapping[int, float]:
-    """Numbers of teeth whose spans touch on the flanks, and the radii at which they do."""
-    return possible_spans(tooth.toothing, tooth.form_radius, tooth.flank.usable_tip_radius)
+def span_width(tooth: ExternalTooth, teeth: int) -> float:
+    """Width of the face that the span over so many teeth needs: W_k sin β_b."""
+    return float(span_measurement(tooth.toothing, teeth) * np.sin(tooth.toothing.base_helix_angle))
 
 
-def usual_span(tooth: ExternalTooth) -> int | None:
-    """The number of teeth whose span touches nearest to mid-depth; None where none touches on the flank."""
+def spans(tooth: ExternalTooth, face_width: float) -> Mapping[int, float]:
+    """Numbers of teeth whose spans touch on the flanks of a face, and the radii at which they do."""
+    touching = possible_spans(tooth.toothing, tooth.form_radius, tooth.flank.usable_tip_radius)
+    return {k: radius for k, radius in touching.items() if span_width(tooth, k) < face_width}
+
+
+def usual_span(tooth: ExternalTooth, possible: Mapping[int, float]) -> int | None:
+    """The number of teeth, of possible spans and their radii, that touches nearest to mid-depth; None of none."""
     middle = (tooth.form_radius + tooth.flank.usable_tip_radius) / 2.0
-    return min(spans(tooth), key=lambda k: abs(spans(tooth)[k] - middle), default=None)
+    return min(possible, key=lambda k: abs(possible[k] - middle), default=None)
