@@ -324,53 +324,43 @@ EXAMPLES |= {
         },
     },
     "spur pair": {
-        "13/17": {"teeth": (13, 17), "module": 2.0, "face_width": 5.0, "profile_shift": (0.3, 0.0)},
-        "at a distance, bored": {
-            "teeth": (12, 18),
+        "shifted, bored, unlike widths": {
+            "teeth": (13, 17),
             "module": 2.0,
             "face_width": (6.0, 5.0),
-            "centre_distance": 31.0,
+            "profile_shift": (0.3, 0.0),
             "bore": (6.0, 10.0),
         },
-        "in inches": {"teeth": (15, 15), "diametral_pitch": 8.0, "length_unit": "in", "face_width": 0.3},
     },
     "helical pair": {
-        "12/19": {"teeth": (12, 19), "module": 2.0, "face_width": 8.0, "helix_angle": 20.0},
         "left, with backlash": {
-            "teeth": (14, 16),
+            "teeth": (12, 19),
             "module": 2.0,
             "face_width": 6.0,
-            "helix_angle": 12.0,
+            "helix_angle": 20.0,
             "hand": "left",
             "backlash": 0.1,
         },
-        "relieved": {"teeth": (15, 20), "module": 1.5, "face_width": 5.0, "helix_angle": 15.0, "tip_relief": 0.02},
     },
     "herringbone pair": {
-        "12/15": {"teeth": (12, 15), "module": 2.0, "face_width": 10.0, "helix_angle": 25.0},
         "transverse module": {"teeth": (13, 14), "transverse_module": 2.0, "face_width": 8.0, "helix_angle": 20.0},
-        "shifted": {
-            "teeth": (11, 16),
-            "module": 2.0,
-            "face_width": 9.0,
-            "helix_angle": 30.0,
-            "profile_shift": (0.3, -0.1),
-        },
     },
     "internal pair": {
-        "14/40": {"teeth": (14, 40), "module": 2.0, "face_width": 5.0},
-        "helical": {"teeth": (16, 44), "module": 1.5, "face_width": 5.0, "helix_angle": 15.0},
-        "at a distance": {"teeth": (18, 48), "module": 1.5, "face_width": 5.0, "centre_distance": 22.8},
+        "helical, at a distance": {
+            "teeth": (16, 44),
+            "module": 1.5,
+            "face_width": 5.0,
+            "helix_angle": 15.0,
+            "centre_distance": 22.0,
+        },
     },
     "rack and pinion": {
-        "15 on 4": {"teeth": (15, 4), "module": 2.0, "face_width": 6.0},
-        "helical": {"teeth": (14, 4), "module": 2.0, "face_width": 6.0, "helix_angle": 18.0},
-        "shifted, bored": {
-            "teeth": (10, 3),
-            "module": 3.0,
+        "helical, shifted": {
+            "teeth": (14, 4),
+            "module": 2.0,
             "face_width": 6.0,
+            "helix_angle": 18.0,
             "profile_shift": (0.4, 0.0),
-            "bore": 8.0,
         },
     },
 }
