@@ -71,7 +71,7 @@ def test_a_tolerance_that_is_a_slip_is_refused_with_the_least_possible_one():
     with pytest.raises(GeometryError) as error:
         sampling(cylinder, 1e-15)
     message = error.value.problems[0].message
-    assert str(MOST_TRIANGLES) in message
+    assert "more than 400000 points around end faces" in message
     least = float(re.search(r"try ([0-9.e-]+[0-9])", message).group(1))
     assert max(sampling(cylinder, least * 1.02).segments.values()) <= MOST_TRIANGLES
     with pytest.raises(GeometryError):

@@ -29,7 +29,7 @@ def build(run, tmp_path):
 @pytest.mark.parametrize(
     ("design", "command"),
     [
-        (SPUR + "bore = 20.5\n", "spur --teeth 16 --module 8 --face-width 50 --bore 20.5"),
+        (SPUR.replace("16", "18") + "bore = 20.5\n", "spur --teeth 18 --module 8 --face-width 50 --bore 20.5"),
         (PAIR, "bevel --teeth 16 20 --module 4 --face-width 15 --root radial"),
         (PAIR + "bore = [10, 12]\n", "bevel --teeth 16 20 --module 4 --face-width 15 --root radial --bore 10 12"),
         (

@@ -11,7 +11,7 @@ from gearwright import catalog
 from gearwright.cli import common_options
 from gearwright.sections import drawings
 
-SPUR = "spur --teeth 12 --module 4 --face-width 20 --bore 14".split()
+SPUR = "spur --teeth 18 --module 4 --face-width 20 --bore 14".split()
 SWEEP = "sweep --length 5 --section".split()
 
 
@@ -20,7 +20,7 @@ def test_a_gear_is_drawn_as_python_draws_it(run, tmp_path, suffix):
     path = tmp_path / "made" / f"gear{suffix}"
     outcome = run(*SPUR, "--drawing", path, "--json")
     assert (outcome.code, outcome.err) == (0, f"wrote {path}\n")
-    gear = gw.SpurGear(teeth=12, module=4.0, face_width=20.0, bore=14.0)
+    gear = gw.SpurGear(teeth=18, module=4.0, face_width=20.0, bore=14.0)
     area = gw.Section.load(path).properties().area
     assert area == pytest.approx(gear.profile.properties().area, rel=1e-8)
     assert area * 20.0 == pytest.approx(json.loads(outcome.out)["properties"]["volume"], rel=1e-8)

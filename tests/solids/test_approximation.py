@@ -196,7 +196,7 @@ def test_a_plot_tells_studies_apart_by_their_diagonals_or_by_names(tmp_path):
 
 @pytest.mark.parametrize("part", PARTS[:: len(PARTS) // 6], ids=str)
 def test_every_element_can_be_studied(part):
-    volumes = [abs(row.volume) for row in gw.section_refinement(built(part), (4, 8)).rows]
+    volumes = [abs(row.volume) for row in gw.section_refinement(built(part), (8, 16)).rows]
     assert volumes[1] < max(0.5 * volumes[0], 1e-13)  # straight sides leave nothing but rounding
     assert gw.layer_refinement(built(part), (4, 8), segments=2).orders["volume"] in (None, pytest.approx(2.0, abs=0.1))
 

@@ -25,6 +25,7 @@ from .edge import Edge
 from .faces import Patch, alike, points_and_partials
 
 MOST_TRIANGLES = 20_000_000
+_MOST_AROUND_CAPS = 400_000  # points around plane ends, whose triangles are some 14 times as many: gigabytes, minutes
 """Triangles of the patches beyond which a tolerance is taken for a slip."""
 _LEAST_TOLERANCE = 1e-300
 _FEWEST_CLOSED = 6  # segments of a closed edge, so that it still encloses something
@@ -78,6 +79,9 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
             columns = float(bound.columns(layers, tolerance))
             cells = 2.0 * patch.pattern.order * columns * layers
             if cells > MOST_TRIANGLES:
+                around = len(boundary.caps) * patch.pattern.order * columns
+                if layers == 1 and around / _MOST_AROUND_CAPS > cells / MOST_TRIANGLES:
+                    raise _too_long_around(tolerance, around)
                 raise too_fine(tolerance, cells / MOST_TRIANGLES, layers)
             segments[across] = max(segments.get(across, 1), int(columns))
     for edge in boundary.edges:
@@ -91,6 +95,14 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
     )
     if triangles > MOST_TRIANGLES:
         raise too_fine(tolerance, triangles / MOST_TRIANGLES, max(found[p.sides[1].edge] for p in boundary.patches))
+    around = sum(
+        float(use.edge.pattern.order * found[use.edge])
+        for cap in boundary.caps
+        for loop in cap.loops
+        for use in loop.uses
+    )
+    if around > _MOST_AROUND_CAPS:
+        raise _too_long_around(tolerance, around)
     return Sampling(segments=found, tolerance=tolerance)
 
 
@@ -232,8 +244,13 @@ def _thinnest(boundary: Boundary) -> float:
     return min(lengths, default=np.inf)
 
 
-def too_fine(tolerance: float, excess: float, layers: int) -> GeometryError:
-    """The refusal of a tolerance that would need `excess` times too many triangles.
+def _too_long_around(tolerance: float, points: float) -> GeometryError:
+    """The refusal of a tolerance that would need so many points around end faces."""
+    return too_fine(tolerance, points / _MOST_AROUND_CAPS, 1, f"{_MOST_AROUND_CAPS} points around end faces")
+
+
+def too_fine(tolerance: float, excess: float, layers: int, many: str = f"{MOST_TRIANGLES} triangles") -> GeometryError:
+    """The refusal of a tolerance that would need `excess` times too many triangles, or of what else are too many.
 
     Segments grow with the root of the inverse tolerance: in one direction where one layer does, else in two.
     """
@@ -243,7 +260,7 @@ def too_fine(tolerance: float, excess: float, layers: int) -> GeometryError:
         [
             Problem(
                 f"tolerance = {tolerance:.3g}",
-                f"more than {MOST_TRIANGLES} triangles; try {enough:.2g}, and is it in the part's length unit?",
+                f"more than {many}; try {enough:.2g}, and is it in the part's length unit?",
             )
         ],
     )

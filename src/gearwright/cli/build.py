@@ -11,7 +11,7 @@ from ..errors import ProblemsError
 from .common_options import DEFAULT, FLATTENED
 from .deliver import deliver
 from .design import read_design
-from .kinds import element_of, said
+from .kinds import article, element_of, said
 
 DESIGN = Option(metavar="DESIGN.toml", help="The element and its parameters by their Python names.")
 
@@ -30,5 +30,7 @@ def build(
     element, problems = element_of(found.kind, found.kinds, found.values, str)
     problems = problems + outputs.problems(found.kind)
     if problems:
-        raise ProblemsError(f"{design}: a {said(found.kind, found.kinds, str)} cannot be built so", problems)
+        raise ProblemsError(
+            f"{design}: {article(found.kind.name)} {said(found.kind, found.kinds, str)} cannot be built so", problems
+        )
     return deliver(found.kind, element, outputs, str)

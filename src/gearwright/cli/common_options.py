@@ -46,6 +46,20 @@ def _wrong_suffix(name: str, path: Path | None, suffixes: Sequence[str]) -> list
     return [Problem(f"{option_name(name)} {path}", f"no such files are written here, but {', '.join(suffixes)}")]
 
 
+def _one_file_twice(files: Mapping[str, Path | None]) -> list[Problem]:
+    """Outputs that would overwrite each other."""
+    seen: dict[Path, str] = {}
+    problems = []
+    for name, path in files.items():
+        if path is None or path == Path():
+            continue
+        if path.absolute() in seen:
+            other = option_name(seen[path.absolute()])
+            problems.append(Problem(f"{option_name(name)} {path}", f"the file of {other}, too; name another one"))
+        seen[path.absolute()] = name
+    return problems
+
+
 @dataclass(frozen=True, kw_only=True)
 class Outputs:
     """Options common to all elements; whether they can be used is the question of `problems`."""
@@ -125,6 +139,7 @@ class Outputs:
             *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
             *(Problem(option_name(name), "a name is needed") for name in nameless),
             *_wrong_suffix("output", file, written),
+            *_one_file_twice({**files, "diagram": self.diagram}),
             *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
             *(_wrong_suffix("drawing", self.drawing, [".dxf", ".svg"]) if "drawing" not in nameless else []),
             *(

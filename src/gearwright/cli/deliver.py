@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 from .. import catalog
 from ..disk import folder
-from .built import built_from
+from ..errors import GearwrightError
+from .built import Built, built_from
 from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
@@ -25,7 +27,24 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
     if outputs.convergence is not None:
         built = with_convergence(built)
-    written = write(built, outputs)
+    written: list[Path] = []
+    try:
+        _write_all(built, element, outputs, written)
+    except GearwrightError:
+        _announce(written)  # what is there already stays, and is no secret
+        raise
+    print(built_json(built)) if outputs.json else show_built(built)
+    if outputs.convergence is not None and not outputs.json:
+        show_convergence(built)
+    for remark in element.remarks:
+        print(f"note: {wording(remark)}", file=sys.stderr)
+    _announce(written)
+    return DONE
+
+
+def _write_all(built: Built, element: Any, outputs: Outputs, written: list[Path]) -> None:
+    """Writes the files asked for, and adds the path of each to those written."""
+    write(built, outputs, written)
     if outputs.drawing is not None:
         written.append(draw(element, outputs.drawing))
     if outputs.plot is not None:
@@ -35,11 +54,8 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
         folder(outputs.diagram.parent)
         element.diagram(outputs.diagram)
         written.append(outputs.diagram)
-    print(built_json(built)) if outputs.json else show_built(built)
-    if outputs.convergence is not None and not outputs.json:
-        show_convergence(built)
-    for remark in element.remarks:
-        print(f"note: {wording(remark)}", file=sys.stderr)
+
+
+def _announce(written: Sequence[Path]) -> None:
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
-    return DONE

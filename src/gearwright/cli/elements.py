@@ -10,7 +10,7 @@ from .. import catalog
 from ..errors import ProblemsError
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
-from .kinds import chosen, element_of, kinds_of, parameter_names, parameters_of, said
+from .kinds import article, chosen, element_of, kinds_of, parameter_names, parameters_of, said
 from .options import given_values, offered, option_name, signature_parameters
 from .wording import in_options, text_in_options
 
@@ -35,7 +35,8 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
         element, problems = element_of(kind, kinds, given_values(parameters, words), option_name)
         problems = in_options(problems, kinds) + outputs.problems(kind)
         if problems:
-            raise ProblemsError(f"A {said(kind, kinds, option_name)} cannot be built with these options", problems)
+            subject = f"{article(kind.name).capitalize()} {said(kind, kinds, option_name)}"
+            raise ProblemsError(f"{subject} cannot be built with these options", problems)
         return deliver(kind, element, outputs, partial(text_in_options, names=parameter_names(kind)))
 
     common = inspect.Parameter("outputs", inspect.Parameter.KEYWORD_ONLY, default=DEFAULT, annotation=FLATTENED)

@@ -42,6 +42,11 @@ def said(kind: catalog.Element, kinds: Sequence[catalog.Element], name_of: Calla
     return f"{kind.name} ({teeth_given(kind, name_of)})" if len(kinds) > 1 else kind.name
 
 
+def article(words: str) -> str:
+    """ "a" or "an", as the words need it."""
+    return "an" if words[:1] in "aeiou" else "a"
+
+
 def element_of(
     kind: catalog.Element, kinds: Sequence[catalog.Element], values: Mapping[str, Any], name_of: Callable[[str], str]
 ) -> tuple[Any, list[Problem]]:
@@ -52,7 +57,9 @@ def element_of(
     own = parameter_names(kind)
     others = {name: other for other in kinds if other != kind for name in parameter_names(other) - own}
     problems = [
-        Problem(name, f"applies to a {said(others[name], kinds, name_of)}") for name in values if name in others
+        Problem(name, f"applies to {article(others[name].name)} {said(others[name], kinds, name_of)}")
+        for name in values
+        if name in others
     ]
     try:
         element = from_mapping(

@@ -14,19 +14,17 @@ from .built import Built
 from .common_options import Outputs
 
 
-def write(built: Built, outputs: Outputs) -> list[Path]:
-    """Writes the files asked for and gives their paths."""
+def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
+    """Writes polyhedra and pictures as asked for, and adds the path of each to those written."""
     if outputs.output is None and outputs.picture is None:
-        return []
+        return
     parts = placed_parts(built, outputs.tolerance)
-    written = []
     if outputs.output is not None:
         written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
     if outputs.picture is not None:
         with progress("picture"):
             draw_parts(parts, outputs.picture, built.title, built.units.length)
         written.append(outputs.picture)
-    return written
 
 
 def draw(element: Element, path: Path) -> Path:

@@ -172,7 +172,8 @@ def wide_fillet(limit: float, unit: str) -> str:
 def pins_that_do_not_touch(usual: float, unit: str) -> str:
     """Pins that cannot measure."""
     return (
-        f"such pins do not touch the involutes, or do not stand out beyond the tips; {usual:.4g} {unit} is usual "
+        f"such pins do not touch unrelieved involutes, stand on the roots or do not stand out beyond the tips; "
+        f"{usual:.4g} {unit} is usual "
         "(1.728 modules outside, 1.68 inside)"
     )
 
@@ -231,9 +232,13 @@ def jammed(excess: float, free: str, unit: str) -> str:
     return f"the two teeth are together {excess:.4g} {unit} thicker than the pitch on the working circles; {way}"
 
 
-def out_of_reach(distance: float, unit: str) -> str:
-    """Involutes that do not meet at all."""
-    return f"at {distance:.6g} {unit} the involutes do not meet; the members must come nearer, or have longer teeth"
+def out_of_reach(distance: float, reference: float, unit: str) -> str:
+    """Involutes that do not meet at all; without profile shift they would at a reference distance."""
+    way = "farther apart" if distance < reference else "nearer, or have longer teeth"
+    return (
+        f"at {distance:.6g} {unit} the involutes do not meet; the members must come {way} (without profile shift they "
+        f"run at {reference:.6g} {unit})"
+    )
 
 
 def no_clearance(tips: str, roots: str, depth: float, unit: str) -> str:
@@ -247,7 +252,5 @@ def no_clearance(tips: str, roots: str, depth: float, unit: str) -> str:
 def cutting_tips(tips: str, teeth: str, depth: str, unit: str, *, internal: bool) -> str:
     """Interference: tips that cut into the mate's teeth away from the path of contact."""
     ways = "more teeth, a shorter addendum, a profile shift or a larger pressure angle"
-    inside = (
-        ", and in an internal pair a larger difference of the teeth numbers or full tip shortening," if internal else ""
-    )
+    inside = ", and in an internal pair a larger difference of the teeth numbers," if internal else ""
     return f"interference: the {tips}'s tips would cut {depth} {unit} into the {teeth}'s teeth; {ways}{inside} avoid it"

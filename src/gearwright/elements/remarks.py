@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 _WIDEST_FACE = 0.35  # of the cone distance; wider teeth carry no more load (ISO 23509, AGMA 2005)
 _NOTABLE_SHIFT = 0.01
+_THIN_TIP = 0.2  # modules: s_a ≥ 0.2 m for unhardened teeth, 0.4 m for hardened ones (Niemann/Winter, vol. 2)
 _DEPTHS = (0.6, 1.4)  # an addendum in modules: stub teeth have 0.8, deep ones 1.2
 
 
@@ -30,6 +31,15 @@ def undercut(teeth: int, shift: float, least_shift: float) -> list[str]:
     if shift >= least_shift - _NOTABLE_SHIFT:
         return []
     return [f"{teeth} teeth are undercut at their roots; a profile shift of {least_shift:.3g} or more would avoid it"]
+
+
+def thin_tip(thickness: float, module: float, unit: str) -> list[str]:
+    """Tips so thin that hardening would burn them."""
+    if thickness >= _THIN_TIP * module:
+        return []
+    return [
+        f"the tips are {thickness:.3g} {unit} thick, {thickness / module:.2g} modules; from {_THIN_TIP} on is usual"
+    ]
 
 
 def low_contact_ratio(ratio: float, overlap: float = 0.0) -> list[str]:

@@ -105,7 +105,7 @@ class Parameter:
             return self.problem(value) is None
         if not is_number(value) or not math.isfinite(value):
             return False
-        if self.is_length and abs(value) > MOST:
+        if abs(value) > MOST or (self.kind == "integer" and not is_whole(value)):
             return False
         from_nought = self.minimum is not None and self.minimum >= 0
         lowest = self.above if self.above is not None else 0.0 if from_nought else -math.inf

@@ -177,3 +177,20 @@ def test_the_sum_of_shifts_quoted_is_true(kind, word, way):
     limit = float(quoted.group(1))
     assert "no centre distance" in str(_refusal(kind, profile_shift=(limit + 2e-4 * way, 0.0)))
     assert "no centre distance" not in str(_refusal(kind, profile_shift=(limit, 0.0), dedendum=0.1))
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"kind": "internal", "teeth": (20, 50), "addendum_coefficient": 1.1},
+        {"kind": "internal", "teeth": (8, 38), "addendum_coefficient": 1.1},
+        {"teeth": (8, 100), "root": "radial"},
+    ],
+    ids=["internal", "small pinion", "radial roots"],
+)
+def test_relief_hides_no_interference(values):
+    """What is relieved begins on the involute, which cuts as before."""
+    given = {"module": 1.0, "face_width": 1.0, "tip_shortening": "none", **values}
+    for relief in ({}, {"tip_relief": 0.05, "tip_relief_height": 0.05}):
+        with pytest.raises(ParameterError, match="interference"):
+            GearPair(**given, **relief)

@@ -132,3 +132,62 @@ def test_crowned_teeth_need_a_land_at_the_root(element):
     assert "crowning = 0.02 mm" in str(error)
     assert "needs a land at the root" in str(error)
     assert element(**BASES[element], crowning=0.02, **{name: 0.99 * largest}).properties().volume > 0.0
+
+
+@pytest.mark.parametrize(
+    ("values", "subject", "words"),
+    [
+        (
+            {"teeth": 3, "addendum_coefficient": 0.5, "crowning": 0.4},
+            "crowning = 0.4 mm",
+            "waists of the undercut teeth",
+        ),
+        (
+            {"teeth": 24, "module": 2.0, "tip_relief": 0.1, "tip_relief_height": 2.0, "pin_diameter": 4.2},
+            "pin",
+            "unrelieved",
+        ),
+        (
+            {"teeth": 24, "module": 2.0, "tip_relief": 0.1, "tip_relief_height": 2.0, "span_teeth": 4},
+            "span",
+            "do not touch",
+        ),
+        ({"teeth": 24, "module": 2.0, "dedendum_coefficient": 0.5, "pin_diameter": 3.456}, "pin", "stand on the roots"),
+        (
+            {"teeth": 12, "pressure_angle": 45.0, "profile_shift": 1.0},
+            "profile_shift = 1",
+            "no space between the teeth",
+        ),
+        ({"teeth": 1e-320}, "teeth", "whole number"),
+        ({"teeth": 1e308}, "teeth", "whole number"),
+        ({"profile_shift": 1e308}, "profile_shift", "at most 5"),
+    ],
+    ids=lambda value: ", ".join(value) if isinstance(value, dict) else "",
+)
+def test_gears_that_once_were_built_or_broke(values, subject, words):
+    with pytest.raises(ParameterError) as caught:
+        SpurGear(**{"teeth": 20, "module": 1.0, "face_width": 10.0, **values})
+    (problem,) = caught.value.problems
+    assert problem.subject.startswith(subject)
+    assert words in problem.message
+
+
+def test_the_limit_of_crowning_at_a_waist_is_true():
+    gear = SpurGear(teeth=3, module=1.0, face_width=10.0, addendum_coefficient=0.5, crowning=0.24)
+    assert gear.properties().volume > 0.0
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"teeth": 12, "module": 2.0, "pressure_angle": 14.5, "basic_rack": "agma-full-radius"},
+        {"teeth": 4, "module": 1.0, "pressure_angle": 14.5, "basic_rack": "agma-full-radius"},
+        {"teeth": 12, "module": 1.0, "basic_rack": "iso-53-d", "dedendum_coefficient": 2.0},
+    ],
+    ids=["14.5°", "14.5°, four teeth", "deep"],
+)
+def test_racks_round_all_over_are_sound(values):
+    """Where rounding left a land of 1e-16."""
+    rack = Rack(face_width=5.0, **values)
+    rack.profile.require_simple()
+    assert rack.polyhedron().properties().volume == pytest.approx(rack.properties().volume, rel=1e-3)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .kinds import KINDS
-from .laws import FIXED_LAWS
+from .laws import FIXED_LAWS, SPLINE
 from .optimum import Optimum
 
 if TYPE_CHECKING:
@@ -56,7 +56,9 @@ def _of_synthesis(cam: Cam) -> list[str]:
     unit = f"{cam.length_unit}²"
     best, saved = best_fixed(cam), gain(cam)
     said = f"least area found: {found.area:.6g} {unit}"
-    if best is not None and saved is not None:
+    if best is not None and found.law == best.law and cam.law in (None, SPLINE):
+        said += f", with the {best.law} law: no spline of so many values is better; allow more free_values"
+    elif best is not None and saved is not None:
         said += f", {100.0 * saved:.1f} % less than with the best fixed law, {best.law} ({best.area:.6g} {unit})"
     rests = "; ".join(str(one) for one in found.active) or "no limit"
     return [said, f"the least area rests on these limits: {rests}"]

@@ -153,7 +153,7 @@ class Roller(Follower):
 class TranslatingRoller(Roller):
     """A roller on a stem that misses the cam's axis by an offset ε: Z = √((r_b + r_r)² − ε²) + s + iε.
 
-    radius   r_b; the offset is towards the side that the profile goes to, tan α = (s′ − ε)/(y₀ + s)
+    radius   r_b; the offset is towards the side that the profile comes from, tan α = (s′ − ε)/(y₀ + s)
     """
 
     radius: float

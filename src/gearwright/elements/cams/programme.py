@@ -57,6 +57,8 @@ def read_programme(text: str, total: float, unit: str) -> tuple[tuple[Step, ...]
     return tuple(steps), problems
 
 
+_LEAST_ANGLE = 1e-3  # degrees
+
 _Part = tuple[str, float, float | None]
 
 
@@ -74,6 +76,8 @@ def _part(text: str) -> _Part | str:
     for word, number in zip(words[1:], numbers, strict=True):
         if number is None:
             return f'"{word}" is not a number greater than 0'
+    if (numbers[0] or 0.0) < _LEAST_ANGLE:
+        return f"{words[1]}° is no angle that a cam can be cut to; at least {_LEAST_ANGLE:g}°"
     return kind, numbers[0] or 0.0, numbers[1] if len(numbers) == 2 else None
 
 

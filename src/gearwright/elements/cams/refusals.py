@@ -13,7 +13,7 @@ WITH_MINIMISE = 'applies to a synthesis; ask for one with minimise "area", or le
 VALUES_WITHOUT_SPLINE = 'applies to law "spline"; choose that, or leave it out'
 FREE_WITHOUT_SPLINE = 'applies to law "spline"; choose that, or leave it out: another law has no free values'
 VALUES_WITH_MINIMISE = "the synthesis finds them; leave them out, or leave out minimise"
-SPLINE_WITHOUT_VALUES = 'its values are needed: give spline_values, or let minimise "area" find them'
+SPLINE_WITHOUT_VALUES = 'its values are needed: a design file or Python gives them, or let minimise "area" find them'
 NOTHING_FREE = 'nothing is left to choose: leave out some of the dimensions, or take law "spline"'
 CROSSING = "undercut: the profile crosses itself, the roller would cut away what it has rolled on"
 

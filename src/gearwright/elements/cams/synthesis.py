@@ -20,7 +20,10 @@ def least_area(task: Task, law: str, count: int) -> Optimum:
 
 
 def least_area_spline(task: Task, fixed: Mapping[str, Optimum], count: int) -> Optimum:
-    """The optimum with free splines, begun from those with fixed laws, and from an even rise."""
+    """The optimum with free splines, begun from those with fixed laws, and from an even rise.
+
+    A spline of few values fits no law well, and a search may end where it should not: then a fixed law's is better.
+    """
     search = Search(task=task, law=SPLINE, movement=_movement(task, SPLINE, count))
     moves = search.movement.values // count
     x = np.linspace(0.0, 1.0, 201)
@@ -28,7 +31,7 @@ def least_area_spline(task: Task, fixed: Mapping[str, Optimum], count: int) -> O
     for name, found in sorted(fixed.items(), key=lambda one: (not one[1].keeps_limits, one[1].area)):
         shape = fitted_values(FIXED_LAWS[name].derivatives(x), x, count)
         starts.append(np.concatenate([search.variables(found.dimensions), np.tile(shape, moves)]))
-    best = _best(search.run(start) for start in starts[:2])
+    best = _best([*(search.run(start) for start in starts[:2]), *fixed.values()])
     if best.keeps_limits:
         return best
     return _best([best, *(search.run(np.concatenate([s, search.values])) for s in task.freedom.starts())])

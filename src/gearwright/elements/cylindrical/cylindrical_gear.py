@@ -21,7 +21,7 @@ from .external_tooth import ExternalTooth
 from .flank import Relief
 from .helix import Helix, require_one_module
 from .internal_tooth import InternalTooth
-from .sizes import inspection_sizes, toothing_sizes
+from .sizes import inspection_sizes, tip_thickness, toothing_sizes
 from .tooth_checks import check_crowning
 from .toothing import Toothing
 
@@ -127,7 +127,7 @@ class CylindricalGear(Element):
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
-        return {**toothing_sizes(self.tooth, self.face_width), **self._inspection_sizes()}
+        return {**toothing_sizes(self.tooth, self.flank_width), **self._inspection_sizes()}
 
     def _inspection_sizes(self) -> dict[str, Size]:
         pins = USUAL_PINS[self.is_internal] * self.normal_module if self.pin_diameter is None else self.pin_diameter
@@ -169,6 +169,11 @@ class CylindricalGear(Element):
         return float(self.teeth * self.normal_module / np.cos(self.helix.angle) / 2.0)
 
     @property
+    def flank_width(self) -> float:
+        """Length along the axis on which teeth run on without a bend."""
+        return self.face_width
+
+    @property
     def tip_radius(self) -> float:
         return self.toothing.tip_radius
 
@@ -208,7 +213,10 @@ class CylindricalGear(Element):
     @property
     def remarks(self) -> list[str]:
         addendum = self.toothing.addendum - self.profile_shift * self.normal_module
-        return remarks.unusual_depth("addendum", addendum, self.normal_module, self.length_unit, 1)
+        return [
+            *remarks.unusual_depth("addendum", addendum, self.normal_module, self.length_unit, 1),
+            *remarks.thin_tip(tip_thickness(self.tooth), self.normal_module, self.length_unit),
+        ]
 
     @property
     def description(self) -> str:

@@ -88,11 +88,6 @@ class ExternalGear(CylindricalGear):
             problems.add("span_teeth", refusals.impossible_span(possible, least, self.flank_width, self.length_unit))
 
     @property
-    def flank_width(self) -> float:
-        """Length along the axis on which teeth run on without a bend."""
-        return self.face_width
-
-    @property
     def _spans(self) -> Mapping[int, float]:
         """Numbers of teeth that can be spanned on this face, and the radii at which their spans touch."""
         return spans(self.tooth, self.flank_width)

@@ -45,6 +45,11 @@ class Flank:
         return self.toothing.tip_radius - self.toothing.outward * self.chamfer
 
     @property
+    def involute_tip_radius(self) -> float:
+        """Radius at which the involute itself ends: where relief begins, else where the flank ends."""
+        return self.usable_tip_radius if self.relief is None else self.relief.begin
+
+    @property
     def end_roll(self) -> float:
         """Roll angle at which the flank ends: r_b t − c = √(r_Na² − r_b²), with the sign of the relief c."""
         return float(self.toothing.roll(self.usable_tip_radius)) + self._relief / self.toothing.base_radius

@@ -138,7 +138,7 @@ class GearPair(Pair):
             self._check_members(problems)
             if problems.sound():
                 for name, message in check_mesh(self.mesh, self.length_unit):
-                    problems.add(name, message)
+                    problems.add("centre_distance" if self._shifts_follow else name, message)
         problems.raise_any()
 
     def _check_shared(self, problems: Problems) -> None:
@@ -149,13 +149,17 @@ class GearPair(Pair):
         if self.kind == "herringbone" and isinstance(widths, tuple) and widths[0] != widths[1]:
             problems.add("face_width", refusals.UNLIKE_HALVES)
 
+    @property
+    def _shifts_follow(self) -> bool:
+        """Whether the profile shifts are what the centre distance needs."""
+        return self.profile_shift is None and self.centre_distance is not None
+
     def _check_members(self, problems: Problems) -> None:
         """Adds problems of the members; where a profile shift is one that follows from the distance, of that."""
-        follows = self.profile_shift is None and self.centre_distance is not None
-        settled = (*_SETTLED, "profile_shift") if follows else _SETTLED
+        settled = (*_SETTLED, "profile_shift") if self._shifts_follow else _SETTLED
         builds = {"pinion": lambda: self.pinion, "gear": self._gear_of_sound_pinion}
         problems.add_members(builds, settled)
-        if follows and problems.sound():
+        if self._shifts_follow and problems.sound():
             try:
                 for build in builds.values():
                     build()

@@ -54,6 +54,11 @@ class Mesh(ABC):
         """Sliding over rolling velocity on pinion and mate at ρ₁ > 0."""
 
     @property
+    @abstractmethod
+    def reference_distance(self) -> float:
+        """The distance without profile shift."""
+
+    @property
     def base_pitch(self) -> float:
         return self.pinion.toothing.base_pitch
 
@@ -108,6 +113,10 @@ class GearMesh(Mesh):
         return float(np.arccos(bases / self.centre_distance))
 
     @property
+    def reference_distance(self) -> float:
+        return self.gear.toothing.pitch_radius + self._sign * self.pinion.toothing.pitch_radius
+
+    @property
     def between_tangents(self) -> float:
         """Distance a sin α_wt between the points where the line of action touches the base circles."""
         return float(self.centre_distance * np.sin(self.working_pressure_angle))
@@ -155,6 +164,10 @@ class RackMesh(Mesh):
     @property
     def working_pressure_angle(self) -> float:
         return self.pinion.toothing.transverse_pressure_angle
+
+    @property
+    def reference_distance(self) -> float:
+        return self.pinion.toothing.pitch_radius
 
     @property
     def offset(self) -> float:

@@ -30,7 +30,7 @@ def _fit(mesh: Mesh, unit: str) -> Iterator[Found]:
     if mesh.backlash < -_ROUNDING * module:
         yield "centre_distance", refusals.jammed(-mesh.backlash, _free_distance(mesh), unit)
     elif mesh.contact_ratio <= 0.0:
-        yield "centre_distance", refusals.out_of_reach(mesh.centre_distance, unit)
+        yield "centre_distance", refusals.out_of_reach(mesh.centre_distance, mesh.reference_distance, unit)
 
 
 def _free_distance(mesh: Mesh) -> str:

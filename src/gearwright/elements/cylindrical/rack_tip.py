@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..gear_loop import NEXT_TO_NOTHING
+
 
 @dataclass(frozen=True, kw_only=True)
 class RackTip:
@@ -58,7 +60,8 @@ class RackTip:
     @property
     def land(self) -> float:
         """Half the land between the corners."""
-        return max(0.0, self._sharp_land - self.radius * self._shrinking)
+        found = self._sharp_land - self.radius * self._shrinking
+        return found if found > NEXT_TO_NOTHING * self.half_width else 0.0
 
     @property
     def side_end(self) -> tuple[float, float]:

@@ -10,6 +10,7 @@ from .flank import Flank
 from .internal_tooth import InternalTooth
 from .mesh import GearMesh, Mesh, RackMesh
 
+_BEYOND = 5  # points of a relieved part or a chamfer that are followed
 _SAMPLES = 2001  # positions of a tip while it is inside the other's teeth
 
 
@@ -50,14 +51,17 @@ def _into(member: ExternalTooth | InternalTooth, mate: Flank, distance: float, s
 
 
 def _corners(flank: Flank) -> list[tuple[float, float]]:
-    """Radii and half angles of the corners on one side of the tooth's tip; the other side is its mirror image."""
-    toothing = flank.toothing
-    ends = [(flank.usable_tip_radius, flank.end_half)]
-    if flank.chamfer:
-        ends.append((toothing.tip_radius, flank.tip_half))
+    """Radii and half angles of where the involute ends on one side of a tooth, and of the relief and chamfer beyond.
+
+    The other side is their mirror image.
+    """
+    toothing, (involute, *beyond) = flank.toothing, flank.curves()
+    fractions = np.linspace(0.0, 1.0, _BEYOND)
+    points = np.array([involute.end, *(p for curve in beyond for p in curve.point(curve.parameter(fractions)))])
+    radii, halves = np.hypot(points[:, 0], points[:, 1]), -np.arctan2(points[:, 1], points[:, 0])
     if toothing.internal:
-        return [(radius, np.pi / toothing.teeth - half) for radius, half in ends]
-    return ends
+        halves = np.pi / toothing.teeth - halves
+    return list(zip(radii.tolist(), halves.tolist(), strict=True))
 
 
 def _ways(distance: float, radius: float, tip: float) -> Array:

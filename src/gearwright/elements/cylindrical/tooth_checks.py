@@ -57,7 +57,7 @@ def _thickness(toothing: Toothing, nominal: float, unit: str) -> Iterator[Found]
         yield "profile_shift", "leaves no tooth on the pitch circle; a larger one does"
     elif toothing.thickness <= 0.0:
         yield "backlash", refusals.no_tooth_left(2.0 * nominal, unit)
-    elif toothing.thickness >= toothing.circular_pitch:
+    elif toothing.internal and toothing.thickness >= toothing.circular_pitch:
         yield "circular_thickness", refusals.meeting_teeth(toothing.circular_pitch + nominal - toothing.thickness, unit)
 
 
@@ -75,6 +75,8 @@ def _fillet(tooth: ExternalTooth, nominal: float | None, unit: str) -> Iterator[
     if largest <= 0.0 and nominal is not None:
         taken = 2.0 * (toothing.dedendum * np.tan(toothing.transverse_pressure_angle) - fillet.rack_tip.half_width)
         yield "circular_thickness", refusals.meeting_teeth(nominal - taken, unit)
+    elif largest <= 0.0 and fillet.rack_tip.half_width <= 0.0:
+        yield "profile_shift", "leaves no space between the teeth on the pitch circle; a smaller one does"
     elif largest <= 0.0:
         deepest = fillet.rack_tip.half_width / np.tan(toothing.transverse_pressure_angle)
         yield "dedendum", refusals.pointed_rack(deepest, unit)
@@ -99,10 +101,12 @@ def _external_tip(tooth: ExternalTooth, unit: str) -> Iterator[Found]:
 
 def check_crowning(tooth: ExternalTooth | InternalTooth, angle: float, unit: str) -> Iterator[Found]:
     """What is wrong with flanks that turn into the tooth by so much (radians) at the ends of the face."""
-    half = tooth.tip_half if isinstance(tooth, InternalTooth) else tooth.flank.tip_half
+    half, where = tooth.tip_half if isinstance(tooth, InternalTooth) else tooth.flank.tip_half, "tips"
+    if isinstance(tooth, ExternalTooth) and tooth.fillet is not None and tooth.fillet.waist < half:
+        half, where = tooth.fillet.waist, "waists of the undercut teeth"
     if angle >= half:
         limit = half * tooth.toothing.base_radius
-        yield "crowning", f"leaves nothing of the tips at the ends; less than {rounded_down(limit)} {unit}"
+        yield "crowning", f"leaves nothing of the {where} at the ends; less than {rounded_down(limit)} {unit}"
     elif angle and (tooth.root_half if isinstance(tooth, InternalTooth) else tooth.root_space) <= NEXT_TO_NOTHING:
         yield "crowning", "needs a land at the root, however narrow; take a smaller radius of the fillets"
 
