@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import gearwright as gw
+from gearwright.elements.cams.cam import Cam
+from gearwright.errors import ParameterError
 from gearwright.moments.polygon import polygon_moments
 
 from ...examples import EXAMPLES
@@ -129,12 +131,12 @@ def test_what_is_needed_is_named_together():
         ({**THESIS, "programme": "rise 90"}, "programme", "its angles make 90°, 270° too few"),
         ({**THESIS, "initial_angle": 60}, "initial_angle", "greater than -90° and less than 60° is possible"),
         ({**THESIS, "face_offset": -8}, "face_offset", "it must be greater than -6.84 mm"),
-        ({**ARM, "base_radius": 200}, "base_radius", "between 11 and 131 mm is possible"),
-        ({**ARM, "swing": 160}, "base_radius", "greater than 0° and less than 20° is possible"),
+        ({**ARM, "base_radius": 200}, "base_radius", "greater than 11 and at most 127.7 mm is possible"),
+        ({**ARM, "swing": 160}, "base_radius", "at most 22.28 mm is possible"),
         ({**ROLLER, "offset": -40}, "offset", "less than 33 mm either way is possible"),
         ({**ROLLER, "bore": 50}, "bore", "less than the base circle's diameter, 50 mm"),
         ({**THESIS, "free_values": 6}, "free_values", 'ask for one with minimise "area"'),
-        ({**THESIS, "law": "spline"}, "law", "give spline_values"),
+        ({**THESIS, "law": "spline"}, "law", "a design file or Python gives them"),
         ({**THESIS, "spline_values": (0.5,)}, "spline_values", 'applies to law "spline"'),
         (
             {**THESIS, "law": "spline", "spline_values": (0.2, 0.5, 0.7)},
@@ -209,3 +211,30 @@ def test_a_profile_that_crosses_itself_is_refused():
     values["programme"] = "rise 30, dwell 290, return 30, dwell 10"
     found = _refused(**values)
     assert any("undercut" in said for said in found.values())
+
+
+@pytest.mark.parametrize(
+    ("programme", "jumps"),
+    [("rise 180, return 180", False), ("rise 72, return 288", True), ("rise 90 2, rise 90, return 180", True)],
+)
+def test_harmonic_moves_are_smooth_only_where_the_next_one_mirrors_them(programme, jumps):
+    given = {"programme": programme, "follower": "translating-flat-face", "lift": 5.0, "base_radius": 60.0}
+    remarks = Cam(**given, law="harmonic", thickness=5.0).remarks
+    assert any("acceleration" in remark for remark in remarks) == jumps
+
+
+def test_the_largest_base_circle_that_an_arm_reaches_is_quoted():
+    given = {"programme": "dwell 36, rise 72, dwell 144, return 108", "follower": "oscillating-roller", "swing": 20.0}
+    given |= {"roller_radius": 10.0, "pivot_distance": 80.0, "arm_length": 60.0, "thickness": 5.0}
+    with pytest.raises(ParameterError, match=r"greater than 10 and at most 127\.9 mm"):
+        Cam(**given, base_radius=128.0)
+    assert Cam(**given, base_radius=127.9).traced.follower.base_radius == pytest.approx(127.9)
+
+
+def test_least_area_is_never_more_than_a_fixed_law_needs():
+    """One value a move fits no law; then the best fixed law is the answer, and is called so."""
+    given = {"programme": "dwell 36, rise 72, dwell 144, return 108", "swing": 30.0, "pivot_distance": 20.0}
+    cam = Cam(**given, thickness=40.0, minimise="area", free_values=1)
+    assert cam.optimum.law == "harmonic"
+    assert cam.optimum.area == min(one.area for one in cam.compared.values() if one.keeps_limits)
+    assert "no spline of so many values is better" in cam.remarks[0]

@@ -74,9 +74,12 @@ def _of_pressure(cam: Cam) -> list[str]:
 
 def _of_law(cam: Cam) -> list[str]:
     law = FIXED_LAWS.get(cam.law or "")
-    if law is None or law.starts_smoothly or all(step.change for step in cam.steps):
+    following = [*cam.steps[1:], cam.steps[0]]
+    mirrored = all((a.change, a.angle) == (-b.change, b.angle) for a, b in zip(cam.steps, following, strict=True))
+    if law is None or law.starts_smoothly or mirrored:
         return []
-    return [f"the acceleration of the {cam.law} law jumps where a dwell begins or ends; the other laws start smoothly"]
+    where = "where a dwell or an unlike move begins or ends"
+    return [f"the acceleration of the {cam.law} law jumps {where}; the other laws start smoothly"]
 
 
 def _of_pivot(cam: Cam) -> list[str]:

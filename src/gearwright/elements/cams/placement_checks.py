@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, isnan
+from math import cos, degrees, isnan, radians, sqrt
 
 from . import refusals
 from .followers import initial_angle_of
@@ -44,8 +44,9 @@ def _roller_that_swings(given: Dimensions, swing: float, unit: str) -> Found:
     pivot, arm, roller = (given[one] for one in ("pivot_distance", "arm_length", "roller_radius"))
     if name == "base_radius":
         initial = degrees(initial_angle_of(given["base_radius"], roller, pivot, arm))
-        if isnan(initial) or initial == 0.0:
-            return [(name, refusals.out_of_reach(abs(pivot - arm) - roller, pivot + arm - roller, unit))]
+        if isnan(initial) or not 0.0 < initial < 180.0 - swing:
+            farthest = sqrt(pivot**2 + arm**2 + 2.0 * pivot * arm * cos(radians(swing)))  # before the swing
+            return [(name, refusals.out_of_reach(abs(pivot - arm) - roller, farthest - roller, unit))]
     else:
         initial = given["initial_angle"]
     if not 0.0 < initial < 180.0 - swing:

@@ -73,8 +73,8 @@ def arm_beyond(most: float) -> str:
 def out_of_reach(least: float, most: float, unit: str) -> str:
     """For a base circle that the roller of an arm cannot touch."""
     return (
-        f"the roller's arm cannot reach this base circle; between {rounded_up(max(least, 0.0))} and "
-        f"{rounded_down(most)} {unit} is possible with these arm and pivot distance"
+        f"the roller's arm cannot reach this base circle; greater than {rounded_up(max(least, 0.0))} and at most "
+        f"{rounded_down(most)} {unit} is possible with this arm, pivot distance and swing"
     )
 
 
