@@ -89,3 +89,19 @@ def test_the_option_accepts_what_is_written():
     for suffix in (*drawings.WRITTEN, ".png", ".stl"):
         refused = common_options.Outputs(drawing=Path(f"drawing{suffix}")).problems(kind)
         assert bool(refused) == (suffix not in drawings.WRITTEN)
+
+
+def test_two_outputs_do_not_share_a_file(run, tmp_path):
+    file = tmp_path / "one.svg"
+    outcome = run(*SPUR, "--drawing", file, "--convergence", file)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert f"--convergence {file}: the file of --drawing, too" in outcome.err
+    assert not file.exists()
+
+
+def test_files_written_before_one_that_fails_are_named(run, tmp_path):
+    (tmp_path / "in-the-way").write_text("")
+    outcome = run(*SPUR, "-o", tmp_path / "gear.stl", "--drawing", tmp_path / "in-the-way" / "gear.dxf")
+    assert outcome.code in (2, 3)
+    assert f"wrote {tmp_path / 'gear.stl'}" in outcome.err
+    assert (tmp_path / "gear.stl").exists()
