@@ -30,4 +30,9 @@ def second_values_without_use(pair: object, element: type) -> list[str]:
     """Names of parameters given twice, though a gear built as that element has no such parameter."""
     used = {one.name for one in declarations(element)}
     given = {one.name: getattr(pair, one.name) for one in declarations(type(pair)) if one.members == "both"}
-    return [name for name, value in given.items() if name not in used and isinstance(value, tuple) and value[1]]
+    nothing = (None, 0.0, "none")
+    return [
+        name
+        for name, value in given.items()
+        if name not in used and isinstance(value, tuple) and value[1] not in nothing
+    ]
