@@ -224,3 +224,12 @@ def test_nothing_to_choose_is_refused():
             programme=PROGRAMME, follower="translating-flat-face", lift=10, base_radius=60, law="3-4-5", thickness=5,
             minimise="area",
         )  # fmt: skip
+
+
+def test_a_wide_swing_is_found_far_from_the_axis():
+    """Where the searches from fixed laws end nowhere, those from other dimensions do not."""
+    cam = gw.Cam(programme=PROGRAMME, swing=60.0, pivot_distance=20.0, thickness=40.0, minimise="area")
+    assert cam.optimum.law == "spline"
+    assert cam.optimum.keeps_limits
+    assert cam.traced.sharpest.value > 0.0
+    assert cam.optimum.area < 20_000.0

@@ -79,8 +79,10 @@ def _length(name: str, low: float, high: float, starts: tuple[float, ...], unit:
 def _of_flat_faces_that_swing(given: Dimensions, swing: float, size: float) -> Mapping[str, Variable]:
     del given
     return {
-        "face_offset": _length("face_offset", -5.0, 100.0, (2.0, 0.0, 4.0), size),
-        "initial_angle": _angle(-STEEPEST_FACE, max(STEEPEST_FACE - swing, -STEEPEST_FACE), (15.0, 60.0, 40.0)),
+        "face_offset": _length("face_offset", -5.0, 100.0, (2.0, 0.0, 4.0, 15.0, 50.0), size),
+        "initial_angle": _angle(
+            -STEEPEST_FACE, max(STEEPEST_FACE - swing, -STEEPEST_FACE), (15.0, 60.0, 40.0, 90.0, 90.0)
+        ),
     }
 
 

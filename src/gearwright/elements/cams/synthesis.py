@@ -28,13 +28,13 @@ def least_area_spline(task: Task, fixed: Mapping[str, Optimum], count: int) -> O
     moves = search.movement.values // count
     x = np.linspace(0.0, 1.0, 201)
     starts = []
-    for name, found in sorted(fixed.items(), key=lambda one: (not one[1].keeps_limits, one[1].area)):
+    for name, optimum in sorted(fixed.items(), key=lambda one: (not one[1].keeps_limits, one[1].area)):
         shape = fitted_values(FIXED_LAWS[name].derivatives(x), x, count)
-        starts.append(np.concatenate([search.variables(found.dimensions), np.tile(shape, moves)]))
-    best = _best([*(search.run(start) for start in starts[:2]), *fixed.values()])
-    if best.keeps_limits:
-        return best
-    return _best([best, *(search.run(np.concatenate([s, search.values])) for s in task.freedom.starts())])
+        starts.append(np.concatenate([search.variables(optimum.dimensions), np.tile(shape, moves)]))
+    found = [search.run(start) for start in starts[:2]]
+    if not any(one.keeps_limits for one in found):
+        found += [search.run(np.concatenate([s, search.values])) for s in task.freedom.starts()]
+    return _best([*found, *fixed.values()])
 
 
 def _best(found: Iterable[Optimum]) -> Optimum:
