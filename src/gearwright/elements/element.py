@@ -108,6 +108,13 @@ def require_one_pitch(problems: Problems, module: float | None, diametral_pitch:
         problems.add("module", refusals.ONE_PITCH)
 
 
+def require_at_most_one(problems: Problems, element: object, *names: str) -> None:
+    """Adds a problem where more than one of several parameters that say the same is given."""
+    given = [name for name in names if getattr(element, name) is not None]
+    if len(given) > 1:
+        problems.add(given[0], refusals.said_twice(given[1:]))
+
+
 def require_angle_of_trace(problems: Problems, trace: str, spiral_angle: float) -> None:
     """Adds a problem unless a spiral trace, and only one, has a spiral angle."""
     if problems.sound("trace", "spiral_angle"):

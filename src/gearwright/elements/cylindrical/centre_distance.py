@@ -114,10 +114,6 @@ class AxisOverRack:
         return self.reference + self.shifts[0] * self.pinion.module if self.distance is None else self.distance
 
     @property
-    def modification(self) -> float:
-        return (self.centre_distance - self.reference) / self.pinion.module
-
-    @property
     def shortening(self) -> float:
         """A rack's pitch plane moves with the profile shift: the clearance stays."""
         return 0.0

@@ -9,12 +9,15 @@ from functools import cached_property
 import numpy as np
 
 from ...curves.polynomial import Polynomial, parabola
+from ...motions.extrusion import Extrusion
+from ...motions.motion import Motion
+from ...motions.straight import Straight
 from ...parameters import Problems, Size, declarations, declared
 from ...sections.plane import Section
 from .. import declarations as d
 from .. import refusals, remarks
 from ..blanks.blank import Blank
-from ..element import Element
+from ..element import Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS, BasicRack
 from ..standards.over_pins import USUAL as USUAL_PINS
 from .external_tooth import ExternalTooth
@@ -108,30 +111,26 @@ class CylindricalGear(Element):
 
     def _check_given(self, problems: Problems) -> None:
         require_one_module(problems, self)
-        self._require_one_of(problems, "tip_diameter", "addendum", "addendum_coefficient")
-        self._require_one_of(problems, "dedendum", "dedendum_coefficient")
+        require_at_most_one(problems, self, "tip_diameter", "addendum", "addendum_coefficient")
+        require_at_most_one(problems, self, "dedendum", "dedendum_coefficient")
         if problems.sound("tip_relief") and not self.tip_relief and self.tip_relief_height is not None:
             problems.add("tip_relief_height", "goes with tip_relief; give that, too, or leave this out")
 
-    def _require_one_of(self, problems: Problems, *names: str) -> None:
-        """Adds a problem where more than one of several ways to say the same is used."""
-        given = [name for name in names if getattr(self, name) is not None]
-        if len(given) > 1:
-            problems.add(given[0], refusals.said_twice(given[1:]))
-
     def _check_measured(self, problems: Problems) -> None:
         """Adds problems of inspection sizes that are asked for."""
-        if self.pin_diameter is not None and "over_pins" not in self.sizes():
-            usual = USUAL_PINS[self.is_internal] * self.normal_module
-            problems.add("pin_diameter", refusals.pins_that_do_not_touch(usual, self.length_unit))
+        if self.pin_diameter is not None and "over_pins" not in self._inspection_sizes():
+            problems.add("pin_diameter", refusals.pins_that_do_not_touch(self._usual_pin, self.length_unit))
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
         return {**toothing_sizes(self.tooth, self.flank_width), **self._inspection_sizes()}
 
+    @property
+    def _usual_pin(self) -> float:
+        return USUAL_PINS[self.is_internal] * self.normal_module
+
     def _inspection_sizes(self) -> dict[str, Size]:
-        pins = USUAL_PINS[self.is_internal] * self.normal_module if self.pin_diameter is None else self.pin_diameter
-        return inspection_sizes(self.tooth, pins)
+        return inspection_sizes(self.tooth, self._usual_pin if self.pin_diameter is None else self.pin_diameter)
 
     @property
     def rack(self) -> BasicRack:
@@ -209,6 +208,11 @@ class CylindricalGear(Element):
     def twist(self) -> float:
         """Angle by which the section at the far end is turned, radians: ±b tan β/r."""
         return float(self.helix.sense * self.face_width * np.tan(self.helix.angle) / self.pitch_radius)
+
+    @property
+    def motion(self) -> Motion:
+        """How the transverse section moves from z = 0 to the face width."""
+        return Extrusion(length=self.face_width, twist=self.twist) if self.twist else Straight()
 
     @property
     def remarks(self) -> list[str]:

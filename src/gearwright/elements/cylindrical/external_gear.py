@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 
 from ...motions.ends import between
-from ...motions.motion import Motion
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
 from ...solids.solid import Solid
@@ -17,6 +15,7 @@ from .. import declarations as d
 from .. import refusals, remarks
 from ..blanks.blank import Blank
 from ..blanks.limits import blank_problems
+from ..element import require_at_most_one
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
 from .generated_fillet import GeneratedFillet
@@ -51,14 +50,9 @@ class ExternalGear(CylindricalGear):
     def is_internal(self) -> bool:
         return False
 
-    @property
-    @abstractmethod
-    def motion(self) -> Motion:
-        """How the transverse section moves from z = 0 to the face width."""
-
     def _check_given(self, problems: Problems) -> None:
         super()._check_given(problems)
-        self._require_one_of(problems, "rack_tip_radius", "rack_tip_coefficient")
+        require_at_most_one(problems, self, "rack_tip_radius", "rack_tip_coefficient")
         if self.root == "radial":
             for name in ("rack_tip_radius", "rack_tip_coefficient"):
                 if getattr(self, name) is not None:

@@ -55,6 +55,11 @@ class ExternalTooth:
         return Flank(toothing=self.toothing, form_radius=self.form_radius, relief=self.relief, chamfer=self.chamfer)
 
     @property
+    def tip_half(self) -> float:
+        """Half the angle of the tooth at its tip."""
+        return self.flank.tip_half
+
+    @property
     def root_space(self) -> float:
         """Angle of the root circle between two teeth; of the circle where involutes begin, for radial roots."""
         if self.fillet is not None:

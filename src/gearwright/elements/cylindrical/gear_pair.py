@@ -170,7 +170,7 @@ class GearPair(Pair):
         """The gear; None for an internal one whose tips would have to clear a pinion that cannot be built."""
         if self.kind == "internal":
             try:
-                self.pinion  # noqa: B018
+                _ = self.pinion
             except ParameterError:
                 return None
         return self.gear
@@ -237,8 +237,7 @@ class GearPair(Pair):
         k = self.axes.shortening
         if not k or not self._shortens(values):
             return values
-        coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
-        addendum = (coefficient + values["profile_shift"] + k) * self.axes.pinion.module
+        addendum = self._asked_addendum(values) + k * self.axes.pinion.module
         changed = {**values, "addendum_coefficient": None, "addendum": addendum}
         return changed if addendum > 0.0 else values  # so that the member tells what is wrong
 
@@ -248,11 +247,14 @@ class GearPair(Pair):
         if not self._shortens(values) or not isinstance(axes, AxesOfGears):
             return values
         largest = axes.addendum_down_to(self.pinion.tooth.form_radius)
-        coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
-        asked = (coefficient + values["profile_shift"]) * axes.pinion.module
-        if asked <= largest or largest <= 0.0:
+        if self._asked_addendum(values) <= largest or largest <= 0.0:
             return values
         return {**values, "addendum_coefficient": None, "addendum": largest}
+
+    def _asked_addendum(self, values: dict[str, Any]) -> float:
+        """A member's addendum by its coefficient and profile shift, before tips are shortened."""
+        coefficient = values["addendum_coefficient"] or BASIC_RACKS[self.basic_rack].addendum
+        return float((coefficient + values["profile_shift"]) * self.axes.pinion.module)
 
     def _shortens(self, values: dict[str, Any]) -> bool:
         """Whether a member's tips are free to be shortened."""
@@ -300,4 +302,4 @@ class GearPair(Pair):
 
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""
-        return mesh_sizes(self.mesh, self.overlap, self.axes.reference, self.axes.shifts or (0.0, 0.0))
+        return mesh_sizes(self.mesh, self.overlap, self.axes.shifts or (0.0, 0.0))

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...motions.extrusion import Extrusion
-from ...motions.motion import Motion
-from ...motions.straight import Straight
 from ...parameters import declared
 from .. import declarations as d
 from .external_gear import ExternalGear
@@ -23,7 +20,3 @@ class HelicalGear(ExternalGear):
     transverse_module: float | None = declared(d.TRANSVERSE_MODULE, default=None)
     helix_angle: float = declared(d.HELIX_ANGLE)
     hand: str = declared(d.HELIX_HAND, default="right")
-
-    @property
-    def motion(self) -> Motion:
-        return Extrusion(length=self.face_width, twist=self.twist) if self.twist else Straight()

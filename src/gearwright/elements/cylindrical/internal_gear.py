@@ -6,9 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...motions.ends import between
-from ...motions.extrusion import Extrusion
-from ...motions.motion import Motion
-from ...motions.straight import Straight
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
 from ...solids.solid import Solid
@@ -71,11 +68,6 @@ class InternalGear(CylindricalGear):
         fitting = min(usual, _ROOM * max(0.0, bare.largest_fillet_radius))
         radius = fitting if self.fillet_radius is None else self.fillet_radius
         return InternalTooth(toothing=self.toothing, fillet_radius=radius, relief=self.relief, chamfer=self.tip_chamfer)
-
-    @property
-    def motion(self) -> Motion:
-        """How the transverse section moves from z = 0 to the face width."""
-        return Extrusion(length=self.face_width, twist=self.twist) if self.twist else Straight()
 
     @property
     def profile(self) -> Section:

@@ -172,7 +172,7 @@ class RackMesh(Mesh):
     @property
     def offset(self) -> float:
         """How far the rack's pitch plane is outside the pinion's pitch circle."""
-        return self.centre_distance - self.pinion.toothing.pitch_radius
+        return self.centre_distance - self.reference_distance
 
     @property
     def _range_of_mate(self) -> tuple[float, float]:

@@ -12,17 +12,16 @@ from .sizes import in_unit
 _BOUNDLESS = 1e6  # specific sliding that is rounding away from a base circle, where it has no bounds
 
 
-def mesh_sizes(mesh: Mesh, overlap: float, reference: float, shifts: tuple[float, float]) -> dict[str, Size]:
+def mesh_sizes(mesh: Mesh, overlap: float, shifts: tuple[float, float]) -> dict[str, Size]:
     """Distances, angles, ratios, sliding, backlash and clearances.
 
     overlap     ε_β of the common face width
-    reference   centre distance without profile shift
     shifts      x₁, x₂
     """
-    toothing = mesh.pinion.toothing
+    toothing, apart = mesh.pinion.toothing, mesh.centre_distance - mesh.reference_distance
     lengths = {
         "centre_distance": (mesh.centre_distance, "a_w", "centre distance; from axis to pitch plane over a rack"),
-        "reference_centre_distance": (reference, "a_d", "the same without profile shift"),
+        "reference_centre_distance": (mesh.reference_distance, "a_d", "the same without profile shift"),
         "pinion_working_diameter": (2.0 * mesh.working_radius, "d_w1", "working pitch diameter of the pinion"),
         "path_of_contact": (max(0.0, mesh.path[1] - mesh.path[0]), "g_α", "length of the path of contact"),
         "backlash": (mesh.backlash, "j_wt", "circumferential backlash on the working pitch circles"),
@@ -35,11 +34,9 @@ def mesh_sizes(mesh: Mesh, overlap: float, reference: float, shifts: tuple[float
         "overlap_ratio": (overlap, "ε_β", "overlap ratio of the common face width"),
         "total_contact_ratio": (mesh.contact_ratio + overlap, "ε_γ", "sum of both"),
         "sum_of_profile_shifts": (sum(shifts), "Σx", "profile shifts of both members in modules"),
-        "centre_distance_modification": (
-            (mesh.centre_distance - reference) / toothing.module, "y", "of the centre distance, in modules",
-        ),
+        "centre_distance_modification": (apart / toothing.module, "y", "of the centre distance, in modules"),
         **_sliding(mesh),
-    }  # fmt: skip
+    }
     if isinstance(mesh, GearMesh):
         ratio = mesh.gear.toothing.teeth / toothing.teeth
         ratios["gear_ratio"] = (ratio, "u", "teeth of the gear over teeth of the pinion")

@@ -17,7 +17,7 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
-from ..element import Element
+from ..element import Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS
 from .helix import HELIX_NUMBERS, Helix, require_one_module
 from .rack_tooth import RackTooth
@@ -62,9 +62,8 @@ class Rack(Element):
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_module(problems, self)
-        for length, coefficient in (("addendum", "addendum_coefficient"), ("dedendum", "dedendum_coefficient")):
-            if getattr(self, length) is not None and getattr(self, coefficient) is not None:
-                problems.add(length, refusals.said_twice([coefficient]))
+        require_at_most_one(problems, self, "addendum", "addendum_coefficient")
+        require_at_most_one(problems, self, "dedendum", "dedendum_coefficient")
         if problems.computable(*_NUMBERS) and problems.sound("module"):
             self._check_tooth(problems)
         problems.raise_any()

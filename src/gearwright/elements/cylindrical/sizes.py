@@ -58,8 +58,7 @@ def toothing_sizes(tooth: Tooth, flank_width: float) -> dict[str, Size]:
 
 def tip_thickness(tooth: Tooth) -> float:
     """Transverse circular thickness of a tooth at its tip."""
-    half = tooth.tip_half if isinstance(tooth, InternalTooth) else tooth.flank.tip_half
-    return 2.0 * half * tooth.toothing.tip_radius
+    return 2.0 * tooth.tip_half * tooth.toothing.tip_radius
 
 
 def _numbers(tooth: Tooth, flank_width: float) -> dict[str, Size]:

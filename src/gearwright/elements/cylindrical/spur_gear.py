@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...motions.motion import Motion
-from ...motions.straight import Straight
 from .external_gear import ExternalGear
 
 
@@ -16,7 +14,3 @@ class SpurGear(ExternalGear):
     Frame: axis z, teeth from z = 0 to the face width, first tooth centred on +x. Raises ParameterError with every
     problem found. Source: ISO 21771; Al-Daccak 1989, ch. 4.5.2.
     """
-
-    @property
-    def motion(self) -> Motion:
-        return Straight()

@@ -101,7 +101,7 @@ def _external_tip(tooth: ExternalTooth, unit: str) -> Iterator[Found]:
 
 def check_crowning(tooth: ExternalTooth | InternalTooth, angle: float, unit: str) -> Iterator[Found]:
     """What is wrong with flanks that turn into the tooth by so much (radians) at the ends of the face."""
-    half, where = tooth.tip_half if isinstance(tooth, InternalTooth) else tooth.flank.tip_half, "tips"
+    half, where = tooth.tip_half, "tips"
     if isinstance(tooth, ExternalTooth) and tooth.fillet is not None and tooth.fillet.waist < half:
         half, where = tooth.fillet.waist, "waists of the undercut teeth"
     if angle >= half:
@@ -149,10 +149,9 @@ def _flank(tooth: ExternalTooth | InternalTooth, unit: str) -> Iterator[Found]:
         if abs(flank.relief.begin - flank.usable_tip_radius) >= limit:
             yield "tip_relief_height", f"reaches below the flank; less than {rounded_down(limit)} {unit}"
             return
-    tip = np.pi / toothing.teeth - flank.tip_half if toothing.internal else flank.tip_half
-    without = tip + (flank.relief.amount / toothing.base_radius if flank.relief else 0.0)
+    without = tooth.tip_half + (flank.relief.amount / toothing.base_radius if flank.relief else 0.0)
     if without <= 0.0:
         yield "tip_chamfer", "leaves nothing of the tip; a smaller one does"
-    elif tip <= 0.0:
+    elif tooth.tip_half <= 0.0:
         limit = without * toothing.base_radius
         yield "tip_relief", f"leaves nothing of the tip; less than {rounded_down(limit)} {unit}"
