@@ -129,3 +129,10 @@ def test_sections_that_cross_themselves_are_not_swept():
     ):
         with pytest.raises(gw.GeometryError, match=r"crosses itself .* there"):
             build()
+
+
+@pytest.mark.parametrize("c", [1e-300, 1e-310, 5e-322, 5e-324])
+def test_an_offset_next_to_nothing_is_none(c):
+    """Numbers that small hold only a few digits, which no series can follow."""
+    solid = gw.sweep(gw.Section.rectangle(2, 1), lambda z: [[1, 0, c * z**2], [0, 1, np.sin(c * z)], [0, 0, 1]], 1.0)
+    assert solid.properties().volume == pytest.approx(2.0, rel=1e-14)

@@ -21,6 +21,7 @@ _DEGREE = 23
 _TAIL = 3  # last coefficients that must be negligible
 _DEEPEST = 48  # bisections: at a kink the tail falls with the width, at a jump never
 _MOST_PIECES = 20_000
+_UNDERFLOW = float(np.finfo(float).tiny / np.finfo(float).eps)  # values below it have lost digits, and are nought
 _NARROW = 1e-9  # of the interval: pieces narrower than this have closed in on a kink
 _JUMP = 1e-9  # of the function's size: values of neighbouring pieces that differ by more where they meet
 _BEND = 1e-7  # the same of their slopes, by the interval: rounding leaves some 1e-12
@@ -139,7 +140,7 @@ class _Asked:
     def by_group(self, largest: Array) -> Array:
         """For each component (m,) the largest value of its group."""
         groups = np.array(self.groups or [0] * len(largest))
-        return np.array([max(self.least, float(np.max(largest[groups == g]))) or 1.0 for g in groups])
+        return np.array([max(self.least, _UNDERFLOW, float(np.max(largest[groups == g]))) for g in groups])
 
 
 def _resolved(asked: _Asked, breaks: Array) -> Smooth:
