@@ -12,8 +12,8 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from .curves.helix import helix
-    from .elements.bevel_gear import BevelGear
-    from .elements.bevel_pair import BevelPair
+    from .elements.bevel.bevel_gear import BevelGear
+    from .elements.bevel.bevel_pair import BevelPair
     from .elements.cams.cam import Cam
     from .elements.cylindrical.gear_pair import GearPair
     from .elements.cylindrical.helical_gear import HelicalGear
@@ -67,8 +67,8 @@ __all__ = [
 
 _MODULES = {
     ".curves.helix": ("helix",),
-    ".elements.bevel_gear": ("BevelGear",),
-    ".elements.bevel_pair": ("BevelPair",),
+    ".elements.bevel.bevel_gear": ("BevelGear",),
+    ".elements.bevel.bevel_pair": ("BevelPair",),
     ".elements.cylindrical.gear_pair": ("GearPair",),
     ".elements.cylindrical.helical_gear": ("HelicalGear",),
     ".elements.cylindrical.herringbone_gear": ("HerringboneGear",),

@@ -64,14 +64,14 @@ ELEMENTS = (
     Element(
         name="bevel gear",
         summary="one bevel gear",
-        source="gearwright.elements.bevel_gear:BevelGear",
+        source="gearwright.elements.bevel.bevel_gear:BevelGear",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
     ),
     Element(
         name="bevel pair",
         summary="a pair in mesh",
-        source="gearwright.elements.bevel_pair:BevelPair",
+        source="gearwright.elements.bevel.bevel_pair:BevelPair",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
         members=2,

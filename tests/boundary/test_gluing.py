@@ -8,7 +8,7 @@ from gearwright.boundary.gluing import Joint, glued
 from gearwright.boundary.sampling import sampling
 from gearwright.boundary.tessellation import tessellate
 from gearwright.curves.line import Line
-from gearwright.elements.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.errors import GeometryError
 from gearwright.sections.loop import Loop
 

@@ -7,7 +7,7 @@ import pytest
 
 from gearwright.boundary.sampling import MOST_TRIANGLES, fixed_sampling, sampling
 from gearwright.boundary.tessellation import tessellate
-from gearwright.elements.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.errors import GeometryError
 
 from .shapes import BOXES, SQUARE, circle, extruded, polygon, revolved

@@ -6,8 +6,8 @@ Al-Daccak 1989, table 3.1 (a 16/20 pair) and ch. 4.5.2 (a spur gear); values exa
 import numpy as np
 import pytest
 
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 from ..examples import README_PAIR

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 from gearwright.elements.cams.cam import Cam
 from gearwright.elements.cams.kinds import KINDS
 from gearwright.elements.cams.laws import FIXED_LAWS

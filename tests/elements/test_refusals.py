@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 from gearwright.elements.cylindrical.spur_gear import SpurGear
 from gearwright.errors import ParameterError
 

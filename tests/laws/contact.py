@@ -10,8 +10,8 @@ import numpy as np
 from gearwright.boundary.faces import Patch
 from gearwright.curves.curve import Curve, Mapped, turn
 from gearwright.curves.spherical_involute import SphericalInvolute
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 
 _STEP = 1e-6
 _STEPS = _STEP * np.eye(3)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 
 from .contact import contacts
 

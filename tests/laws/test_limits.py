@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.elements.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.cylindrical.spur_gear import SpurGear
 
 ANGLES = np.array([8.0, 4.0, 2.0, 1.0])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.curves.curve import gauss_legendre
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_pair import BevelPair
 
 from .contact import involute_patches
 from .manifolds import manifold

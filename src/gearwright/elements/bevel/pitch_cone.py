@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..parameters import Problems
-from . import refusals
+from ...parameters import Problems
+from .. import refusals
 
 _NEARLY_CYLINDRICAL = np.radians(0.01 * (1.0 - 1e-9))  # as the limit of pitch_angle
 

@@ -8,24 +8,24 @@ from typing import Literal
 
 import numpy as np
 
-from ..boundary.gluing import Joint
-from ..curves.arc import Arc
-from ..curves.line import Line
-from ..curves.trace import LogarithmicTrace, StraightTrace, Trace
-from ..motions.ends import between
-from ..motions.radial import Radial
-from ..motions.revolution import FULL_TURN, Revolution
-from ..parameters import Problems, Size, declared, rounded_down
-from ..sections.loop import Loop
-from ..sections.plane import Section
-from ..solids.composite import Composite
-from ..solids.solid import Solid
-from ..solids.swept import Swept
-from . import declarations as d
-from . import refusals, remarks
-from .bevel_tooth import BevelTooth
-from .element import Element, module_in, require_angle_of_trace, require_one_pitch
+from ...boundary.gluing import Joint
+from ...curves.arc import Arc
+from ...curves.line import Line
+from ...curves.trace import LogarithmicTrace, StraightTrace, Trace
+from ...motions.ends import between
+from ...motions.radial import Radial
+from ...motions.revolution import FULL_TURN, Revolution
+from ...parameters import Problems, Size, declared, rounded_down
+from ...sections.loop import Loop
+from ...sections.plane import Section
+from ...solids.composite import Composite
+from ...solids.solid import Solid
+from ...solids.swept import Swept
+from .. import declarations as d
+from .. import refusals, remarks
+from ..element import Element, module_in, require_angle_of_trace, require_one_pitch
 from .pitch_cone import pitch_cone_angle, require_cone
+from .tooth import BevelTooth
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding

@@ -7,14 +7,14 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arrays import Array
-from ..parameters import Problems, Size, declared, member_value, rounded_down
-from . import declarations as d
-from . import remarks
+from ...arrays import Array
+from ...parameters import Problems, Size, declared, member_value, rounded_down
+from .. import declarations as d
+from .. import remarks
+from ..element import module_in, require_angle_of_trace, require_one_pitch
+from ..pair import Pair
 from .bevel_gear import BevelGear
-from .bevel_meshing import contact_ratio, interference_limit, meshing_placements
-from .element import module_in, require_angle_of_trace, require_one_pitch
-from .pair import Pair
+from .meshing import contact_ratio, interference_limit, meshing_placements
 from .pitch_cone import pitch_cone_angle, require_cone
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from gearwright.curves.spherical_involute import azimuth, roll_at_polar_angle
-from gearwright.elements.bevel_gear import BevelGear
-from gearwright.elements.bevel_pair import BevelPair
+from gearwright.elements.bevel.bevel_gear import BevelGear
+from gearwright.elements.bevel.bevel_pair import BevelPair
 
 from ..examples import BEVEL_PARTS, built
 from ..laws.contact import involute_patches

@@ -7,19 +7,19 @@ from functools import cached_property
 
 import numpy as np
 
-from ..curves.curve import Curve, mapped, turn
-from ..curves.meridian import Meridian
-from ..curves.parallel import Parallel
-from ..curves.spherical_involute import (
+from ...curves.curve import Curve, mapped, turn
+from ...curves.meridian import Meridian
+from ...curves.parallel import Parallel
+from ...curves.spherical_involute import (
     SphericalInvolute,
     azimuth,
     polar_angle,
     roll_at_azimuth,
     roll_at_polar_angle,
 )
-from ..sections.loop import Loop
-from ..sections.sphere import SphericalSection
-from .gear_loop import NEXT_TO_NOTHING, gear_loop
+from ...sections.loop import Loop
+from ...sections.sphere import SphericalSection
+from ..gear_loop import NEXT_TO_NOTHING, gear_loop
 
 
 @dataclass(frozen=True, kw_only=True)

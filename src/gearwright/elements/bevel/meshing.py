@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Array
-from ..curves.spherical_involute import roll_at_polar_angle
-from .bevel_tooth import BevelTooth
+from ...arrays import Array
+from ...curves.spherical_involute import roll_at_polar_angle
+from .tooth import BevelTooth
 
 
 def unwound(tooth: BevelTooth, polar: float) -> float:
