@@ -7,8 +7,8 @@ from gearwright.curves.spherical_involute import azimuth, roll_at_polar_angle
 from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
-from ..examples import BEVEL_PARTS, built
-from ..laws.contact import involute_patches
+from ...examples import BEVEL_PARTS, built
+from ...laws.contact import involute_patches
 
 every_bevel = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)
 U, V = (a.ravel() for a in np.meshgrid(np.linspace(0.0, 1.0, 9), np.linspace(0.0, 1.0, 5)))
