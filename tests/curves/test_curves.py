@@ -16,6 +16,7 @@ from gearwright.curves.elliptic_arc import EllipticArc
 from gearwright.curves.envelope import Envelope, Tangents
 from gearwright.curves.family import Member
 from gearwright.curves.helix import helix
+from gearwright.curves.interpolated import Interpolated, chebyshev_stations
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
@@ -25,6 +26,7 @@ from gearwright.curves.polynomial import Polynomial
 from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.curves.relieved_involute import RelievedInvolute
 from gearwright.curves.spherical_involute import SphericalInvolute
+from gearwright.curves.stereographic import Stereographic
 from gearwright.curves.trochoid import Trochoid
 from gearwright.curves.turning import Turned, TurnedArc
 
@@ -48,6 +50,13 @@ class EllipseTangents:
 SHEARED_MIRROR = [[0.8, 0.3], [0.5, -1.1]]
 CROWNING = Polynomial(coefficients=(0.1, -0.4, 0.7), centre=0.6)
 TURNED = Turned(interval=(0.1, 1.1), curve=Involute(base_radius=2.0, interval=(0.1, 1.1)), turning=CROWNING)
+KNOTS = chebyshev_stations(-2.0, 2.5, 20)
+WIDENING = Interpolated(
+    members=tuple(
+        SphericalInvolute(base_cone_angle=0.7 + 0.1 * v, interval=(0.3, 1.0 + 0.2 * v)) for v in KNOTS.tolist()
+    ),
+    stations=tuple(KNOTS.tolist()),
+)
 LIFTING = Polynomial(coefficients=(0.0, 0.3, 0.0, -0.2))
 
 EXAMPLES = {
@@ -106,6 +115,14 @@ EXAMPLES = {
             curve=Line(first=(1.0, -2.0), last=(-0.5, 3.0)),
             turning=Polynomial(coefficients=(0.4,)),
         ),
+    ],
+    Interpolated: [WIDENING],
+    Stereographic: [
+        Stereographic(
+            curve=SphericalInvolute(base_cone_angle=0.7, interval=(0.3, 2.0)),
+            interval=(0.3, 2.0),
+        ),
+        Stereographic(curve=Meridian(azimuth=2.2, interval=(1.9, 0.4)), interval=(1.9, 0.4)),
     ],
     TurnedArc: [
         TurnedArc(radius=1.7, azimuths=(-0.2, 0.3), turnings=(CROWNING, LIFTING)),
@@ -259,7 +276,8 @@ def test_the_variation_is_the_difference_of_members(curve):
     for v, found in zip(STATIONS, np.moveaxis(variation, 1, 0), strict=True):
         numeric = difference(lambda w: curve.at(w).point(u[:, 0]), v)
         np.testing.assert_allclose(found, numeric, atol=1e-10)
-        np.testing.assert_allclose(curve.variation(u[:, 0], v), found, rtol=1e-15, atol=1e-15)
+        # interpolated ones are sums, which many parameters at once may round in another order
+        np.testing.assert_allclose(curve.variation(u[:, 0], v), found, rtol=1e-15, atol=1e-14)
 
 
 @pytest.mark.parametrize("curve", CURVES)
@@ -413,3 +431,38 @@ def test_gauss_legendre_keeps_machine_precision_with_many_nodes(nodes):
     x, w = gauss_legendre(nodes)
     for degree in (2, 4, 6):
         assert np.sum(w * x**degree) * (degree + 1) / 2.0 == pytest.approx(1.0, abs=3e-15)
+
+
+class TestInterpolated:
+    @pytest.mark.parametrize("v", [-2.0, -0.83, 0.2, 2.5])
+    def test_members_are_those_of_the_analytic_family(self, v):
+        expected = SphericalInvolute(base_cone_angle=0.7 + 0.1 * v, interval=(0.3, 1.0 + 0.2 * v))
+        member = WIDENING.at(v)
+        np.testing.assert_allclose(
+            member.point(member.parameter(FRACTIONS)), expected.point(expected.parameter(FRACTIONS)), atol=3e-15
+        )
+
+    def test_members_at_many_parameters_are_each_its_own(self):
+        v = np.array([[-0.5], [0.3], [KNOTS[4]]])
+        u = np.broadcast_to(FRACTIONS, (3, FRACTIONS.size))
+        together = WIDENING.at(v).point(u)
+        for row, one in zip(together, v[:, 0], strict=True):
+            np.testing.assert_allclose(row, WIDENING.at(float(one)).point(FRACTIONS), atol=1e-15)
+
+    def test_a_family_needs_a_station_for_each_member(self):
+        with pytest.raises(ValueError, match="station"):
+            Interpolated(members=WIDENING.members[:3], stations=(0.0, 1.0))
+
+
+def test_a_stereographic_image_keeps_angles():
+    meridian = Meridian(azimuth=2.2, interval=(0.4, 1.9))
+    parallel = Parallel(polar_angle=1.1, interval=(0.0, 2.0))
+    for azimuth in (0.3, 1.4):
+        images = [
+            Stereographic(curve=curve, interval=curve.interval).derivative(u)
+            for curve, u in ((Meridian(azimuth=azimuth, interval=(0.1, 2.0)), 1.1), (parallel, azimuth))
+        ]
+        assert images[0] @ images[1] == pytest.approx(0.0, abs=1e-15)
+    assert np.hypot(*Stereographic(curve=meridian, interval=meridian.interval).point(1.9)) == pytest.approx(
+        np.tan(0.95), rel=1e-15
+    )

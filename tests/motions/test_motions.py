@@ -61,6 +61,28 @@ def plane_section():
     )
 
 
+def meridian_integrals(points, value):
+    """∫ value(n) sin θ dθ (n,) along the meridians of points of the unit sphere, from one parallel to them."""
+    x, w = np.polynomial.legendre.leggauss(30)
+    theta, azimuth = np.arccos(points[:, 2]), np.arctan2(points[:, 1], points[:, 0])
+    t = 0.7 + (theta[:, None] - 0.7) * (x + 1.0) / 2.0
+    on_sphere = [np.sin(t) * np.cos(azimuth)[:, None], np.sin(t) * np.sin(azimuth)[:, None], np.cos(t)]
+    return np.sum(value(np.stack(on_sphere, axis=-1)) * np.sin(t) * w, axis=1) * (theta - 0.7) / 2.0
+
+
+def spherical_ring():
+    """A region around the pole with five teeth and a round hole."""
+    step = TURN / 5.0
+    teeth = (
+        Parallel(polar_angle=1.2, interval=(0.0, 0.5)),
+        Meridian(azimuth=0.5, interval=(1.2, 1.0)),
+        Parallel(polar_angle=1.0, interval=(0.5, step)),
+        Meridian(azimuth=step, interval=(1.0, 1.2)),
+    )
+    hole = Parallel(polar_angle=0.5, interval=(0.0, -step))
+    return SphericalSection(loops=(Loop(curves=teeth, copies=5), Loop(curves=(hole,), copies=5)))
+
+
 def spherical_section(first=0.2):
     """A region beside the pole +z without any symmetry, with a hole off its middle."""
     flank = SphericalInvolute(base_cone_angle=0.5, interval=(0.3, 1.6))
@@ -170,6 +192,13 @@ EXAMPLES = {
         Example(Radial(trace=StraightTrace()), spherical_section(), between(2.0, 3.1)),
         Example(Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), spherical_section(), between(2.0, 3.1)),
         Example(Radial(trace=LogarithmicTrace(rate=-0.7, mean_distance=3.0)), spherical_section(), between(1.4, 3.1)),
+        Example(Radial(trace=StraightTrace(), levels=0.0), spherical_section(), between(1.4, 3.1)),
+        Example(Radial(trace=StraightTrace(), levels=0.9), spherical_section(), between(1.4, 3.1)),
+        Example(
+            Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4), levels=0.9),
+            spherical_ring(),
+            between(2.0, 3.1),
+        ),
     ],
 }
 CASES = [pytest.param(e, id=f"{cls.__name__}-{i}") for cls, es in EXAMPLES.items() for i, e in enumerate(es)]
@@ -273,9 +302,11 @@ class TestEveryMotion:
                         mean = case.motion.jacobian(points * 2.0 / 3.0, v)
                         volume += np.sum(across * mean) * weight * (finish - start) / 2.0
                 else:
-                    across = np.cross(points, tangents)[:, 2] / (1.0 + points[:, 2])
-                    radial = case.motion.jacobian(np.repeat(points[:1], 30, axis=0), u)
-                    volume += np.sum(across) * np.sum(w * radial) * (finish - start) / 2.0
+                    for weight, v in zip(w, u, strict=True):
+                        strips = meridian_integrals(points, lambda p, v=v: case.motion.jacobian(p, v))
+                        turns = points[:, 0] * tangents[:, 1] - points[:, 1] * tangents[:, 0]
+                        turns = loop.copies * turns / (points[:, 0] ** 2 + points[:, 1] ** 2)
+                        volume += np.sum(strips * turns) * weight * (finish - start) / 2.0
         assert case.motion.moments(case.section, case.ends).volume == pytest.approx(volume, rel=1e-12)
 
     def test_the_end_surface_contains_the_section_and_faces_along_the_motion(self, case):
@@ -542,6 +573,21 @@ def torus_section(lift):
 
 
 class TestRadial:
+    def test_levels_are_spheres_cones_and_planes(self):
+        n = np.array([np.sin(1.1) * np.cos(0.4), np.sin(1.1) * np.sin(0.4), np.cos(1.1)])
+        trace = LogarithmicTrace(rate=0.8, mean_distance=2.0)
+        for levels in (None, 0.0, 0.9, np.pi / 2.0):
+            placed = Radial(trace=trace, levels=levels).place(n, 3.0)
+            rho, z = np.hypot(placed[0], placed[1]), placed[2]
+            reached = np.hypot(rho, z) if levels is None else rho * np.sin(levels) + z * np.cos(levels)
+            assert reached == pytest.approx(3.0, rel=1e-15)
+            assert np.arctan2(rho, z) == pytest.approx(1.1, rel=1e-15)
+            assert np.arctan2(placed[1], placed[0]) - 0.4 == pytest.approx(0.8 * np.log(np.hypot(rho, z) / 2.0))
+
+    def test_without_symmetry_a_turning_section_between_cones_has_no_reduction(self):
+        motion = Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4), levels=0.9)
+        assert motion.moments(spherical_section(), between(2.0, 3.1)) is None
+
     def test_points_move_outward_and_turn_as_the_trace_says(self):
         trace = LogarithmicTrace(rate=0.8, mean_distance=2.0)
         placed = Radial(trace=trace).place(np.array([0.6, 0.0, 0.8]), 3.0)

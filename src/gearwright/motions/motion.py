@@ -18,7 +18,7 @@ class Motion(ABC):
     """A map (p, v) → r of section points p and a motion parameter v.
 
     rotation_order   turns of 2π/order about z that the motion commutes with; 0 stands for all turns
-    parallel         the section stays in planes of constant z, one for each parameter, so that it may vary
+    layered          the section stays on surfaces that do not meet, one for each parameter, so that it may vary
     closed           the last position is the first one: a ring without end faces
     """
 
@@ -93,7 +93,7 @@ class Motion(ABC):
         return 0
 
     @property
-    def parallel(self) -> bool:
+    def layered(self) -> bool:
         return False
 
     def closed(self, ends: Ends) -> bool:

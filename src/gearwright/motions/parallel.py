@@ -64,7 +64,7 @@ class ParallelMotion(Motion):
         return quadrature_moments(self, section, *constants)
 
     @property
-    def parallel(self) -> bool:
+    def layered(self) -> bool:
         return True
 
     def station(self, v: float) -> str:

@@ -77,9 +77,9 @@ class Placed(Motion):
         return gcd(self.motion.rotation_order, 2) if self.placement.flips_axis else 1
 
     @property
-    def parallel(self) -> bool:
+    def layered(self) -> bool:
         """That of the motion; its planes are turned with it."""
-        return self.motion.parallel
+        return self.motion.layered
 
     def closed(self, ends: Ends) -> bool:
         return self.motion.closed(ends)

@@ -51,7 +51,7 @@ class Straight(Motion):
         return about_centroid(matrix, "exact", section.moments_error, middle)
 
     @property
-    def parallel(self) -> bool:
+    def layered(self) -> bool:
         return True
 
     def station(self, v: float) -> str:

@@ -1,4 +1,4 @@
-"""The members of a plane section that varies along its motion: their moments, many at once, and whether they are sound.
+"""The members of a section that varies along its motion: their moments, many at once, and whether they are sound.
 
 A section whose loops hold families is named by its reference; its member at a parameter v is `section.at(v)`.
 """
@@ -15,6 +15,7 @@ from ..moments.boundary_integral import plane_moments
 from ..moments.quadrature import converged, gauss_legendre
 from .loop import Loop
 from .plane import Section
+from .section import LoopedSection
 
 _AT_ONCE = 32  # members
 _LOOKS = 9  # a polynomial of a lower degree cannot leave its bounds unseen at more places than it has turns
@@ -37,15 +38,15 @@ def _converged(section: Section, v: Array) -> tuple[Array, float]:
     def integral(nodes: int) -> Array:
         found = np.zeros((len(v), 4, 4))
         for loop in loops:
-            points, tangents = _quadrature(loop, v, nodes)
+            points, tangents = member_quadrature(loop, v, nodes)
             found += plane_moments((points - section.middle) / section.size, tangents / section.size, loop.copies)
         return found
 
     return converged(integral)
 
 
-def _quadrature(loop: Loop, v: Array, nodes: int) -> tuple[Array, Array]:
-    """Gauss–Legendre points and weighted tangents (n, m, 2) of one period of the members at parameters (n,)."""
+def member_quadrature(loop: Loop, v: Array, nodes: int) -> tuple[Array, Array]:
+    """Gauss–Legendre points and weighted tangents (n, m, d) of one period of the members at parameters (n,)."""
     x, w = gauss_legendre(nodes)
     points, tangents = [], []
     for curve in loop.curves:
@@ -56,14 +57,14 @@ def _quadrature(loop: Loop, v: Array, nodes: int) -> tuple[Array, Array]:
     return np.concatenate(points, axis=1), np.concatenate(tangents, axis=1)
 
 
-def looks(section: Section, start: float, finish: float) -> Array:
+def looks(section: LoopedSection, start: float, finish: float) -> Array:
     """Parameters at which members are looked at: both ends, between them, and where what varies turns back."""
     even = (start + finish) / 2.0 - (finish - start) / 2.0 * np.cos(np.linspace(0.0, np.pi, _LOOKS))
     turns = [v for loop in section.loops for curve in loop.curves for v in curve.extremes(start, finish)]
     return np.unique([start, finish, *even[1:-1], *turns])
 
 
-def first_unsound(section: Section, stations: Sequence[float] | Array) -> tuple[float, list[Problem]] | None:
+def first_unsound(section: LoopedSection, stations: Sequence[float] | Array) -> tuple[float, list[Problem]] | None:
     """The first of the parameters whose member has gaps, runs the wrong way or crosses itself, and what is wrong."""
     for v in stations:
         try:

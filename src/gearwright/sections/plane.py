@@ -18,7 +18,6 @@ from ..errors import GeometryError, Problem
 from ..moments.boundary_integral import plane_moments
 from ..moments.plane import PlaneMoments
 from ..moments.quadrature import converged
-from .crossing import crossing_problems
 from .loop import Loop
 from .outlines import LARGEST, SMALLEST, curve_loop, polygon_loop, spline_loop
 from .properties import SectionProperties
@@ -84,17 +83,9 @@ class Section(LoopedSection):
         section.require_simple()
         return section
 
-    @cached_property
-    def _crossings(self) -> list[Problem]:
-        return crossing_problems(self.loops)
-
-    def require_simple(self) -> None:
-        """Raises GeometryError where loops cross or touch themselves or each other, or holes lie outside.
-
-        Of a section that varies this is the reference; a sweep asks it of the members.
-        """
-        if self._crossings:
-            raise GeometryError("This is not a section", self._crossings)
+    @property
+    def _flat_loops(self) -> tuple[Loop, ...]:
+        return self.loops
 
     def properties(self) -> SectionProperties:
         """Area, centroid, second moments and moments to order 3, on the true curves."""

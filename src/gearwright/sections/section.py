@@ -13,6 +13,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..moments.quadrature import converged
+from .crossing import crossing_problems
 from .loop import Loop
 
 _NODES = 20  # a curve: one of the numbers at which the moments are looked at anyway
@@ -58,6 +59,23 @@ class LoopedSection(ABC):
     def varies(self) -> bool:
         """Whether the section is another one at other parameters of its motion."""
         return any(curve.varies for loop in self.loops for curve in loop.curves)
+
+    @property
+    @abstractmethod
+    def _flat_loops(self) -> tuple[Loop, ...]:
+        """The loops, or an image of them in the plane that crosses itself where they do."""
+
+    @cached_property
+    def _crossings(self) -> list[Problem]:
+        return crossing_problems(self._flat_loops)
+
+    def require_simple(self) -> None:
+        """Raises GeometryError where loops cross or touch themselves or each other, or holes lie outside.
+
+        Of a section that varies this is the reference; a sweep asks it of the members.
+        """
+        if self._crossings:
+            raise GeometryError("This is not a section", self._crossings)
 
     @abstractmethod
     def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..arrays import Array
+from ..curves.stereographic import Stereographic
 from ..moments.sphere import region_moments
 from .loop import Loop
 from .section import LoopedSection
@@ -13,6 +14,16 @@ from .section import LoopedSection
 @dataclass(frozen=True, kw_only=True)
 class SphericalSection(LoopedSection):
     """A region of the unit sphere bounded by loops of curves (d = 3), seen from outside; −z lies outside it."""
+
+    @property
+    def _flat_loops(self) -> tuple[Loop, ...]:
+        return tuple(
+            Loop(
+                curves=tuple(Stereographic(curve=curve, interval=curve.interval) for curve in loop.curves),
+                copies=loop.copies,
+            )
+            for loop in self.loops
+        )
 
     def _integral(self, loops: tuple[Loop, ...], nodes: int) -> Array:
         parts = [region_moments(*loop.quadrature(nodes), order=loop.copies) for loop in loops]
