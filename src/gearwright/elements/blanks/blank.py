@@ -11,7 +11,7 @@ from ...sections.loop import Loop
 from ...solids.solid import Solid
 from ..standards.din_6885 import parallel_key
 from .keyway import KeyedBore
-from .pieces import HoleCircle, Zone, assembled, circle, zones
+from .pieces import HoleCircle, Piece, Zone, assembled, circle, zones
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,4 +133,5 @@ class Blank:
         is but a bore it is the ring itself; else coaxial pieces are glued along cylinders that vanish.
         """
         holes = self.hole_circle if self.has_web else None
-        return assembled(ring, self.zones(root_radius, face_width), holes, self.keyed_bore)
+        body = self.zones(root_radius, face_width)
+        return assembled(lambda radius: [Piece(ring(radius))], body, holes, self.keyed_bore)

@@ -21,7 +21,6 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .keyway import KeyedBore
 
-_OUTER_WALL, _HOLE = "loop 1.1", "loop 2"  # faces of the pieces, as sweeps name them
 _SAME = 1e-9  # of the body's height: levels so near to each other were meant to be one
 
 
@@ -59,24 +58,25 @@ class HoleCircle:
 
 
 @dataclass(frozen=True)
-class _Piece:
-    """A piece and the name of the faces on its inner wall."""
+class Piece:
+    """A piece and the names of the faces by which it is glued to what is around it and to what is inside it."""
 
     solid: Solid
-    inner_wall: str
+    outer_wall: str = "loop 1.1"
+    inner_wall: str = "loop 2"
 
 
 @dataclass(frozen=True)
 class _Feature:
     """What a piece has that is no surface of revolution, within two radii of one of the zones.
 
-    build   the piece between an outer (None: the teeth) and an inner radius (0: none)
+    build   the pieces between an outer (None: the teeth) and an inner radius (0: none), from the outside in
     """
 
     outer: float
     inner: float
     zone: int
-    build: Callable[[float | None, float], Solid]
+    build: Callable[[float | None, float], Sequence[Piece]]
 
 
 def zones(bounds: Sequence[tuple[float, tuple[float, float]]], inner: float) -> tuple[Zone, ...]:
@@ -103,27 +103,33 @@ def _snapped(level: float, known: Sequence[float]) -> float:
 
 
 def assembled(
-    ring: Callable[[float | None], Solid], body: Sequence[Zone], holes: HoleCircle | None, keyed: KeyedBore | None
+    ring: Callable[[float | None], Sequence[Piece]],
+    body: Sequence[Zone],
+    holes: HoleCircle | None,
+    keyed: KeyedBore | None,
 ) -> Solid:
-    """The gear of a toothed ring, zones inside it, holes in the zone they lie in, and a keyway of the innermost one."""
+    """The gear of a toothed ring, zones inside it, holes in the zone they lie in, and a keyway of the innermost one.
+
+    ring   the pieces that reach from the teeth to a round hole of a radius (None: full), from the outside in
+    """
     features = [_Feature(body[0].outer, body[0].outer, 0, lambda _, inner: ring(inner or None))]
     if holes is not None:
         features.append(_web(holes, body))
     if keyed is not None:
         features.append(_hub(keyed, body))
-    pieces: list[_Piece] = []
+    pieces: list[Piece] = []
     outer: float | None = None
     for feature, following in zip(features, [*features[1:], None], strict=True):
         inner, next_outer = _cuts(feature, following, body)
-        pieces.append(_Piece(feature.build(outer, inner), _HOLE))
+        pieces += feature.build(outer, inner)
         if next_outer != inner:
             pieces.append(_step(inner, body[-1].inner if next_outer is None else next_outer, body))
         outer = next_outer
     if len(pieces) == 1:
         return pieces[0].solid
     joints = (
-        Joint(first=k, first_faces=(piece.inner_wall,), second=k + 1, second_faces=(_OUTER_WALL,))
-        for k, piece in enumerate(pieces[:-1])
+        Joint(first=k, first_faces=(a.inner_wall,), second=k + 1, second_faces=(b.outer_wall,))
+        for k, (a, b) in enumerate(pairwise(pieces))
     )
     return Composite(pieces=tuple(piece.solid for piece in pieces), joints=tuple(joints))
 
@@ -146,16 +152,16 @@ def _cuts(feature: _Feature, following: _Feature | None, body: Sequence[Zone]) -
 def _web(holes: HoleCircle, body: Sequence[Zone]) -> _Feature:
     where = next(k for k, zone in enumerate(body) if zone.inner <= holes.innermost)
 
-    def build(outer: float | None, inner: float) -> Solid:
+    def build(outer: float | None, inner: float) -> Sequence[Piece]:
         within = (circle(inner, -1),) if inner else ()
-        return _prism(outer, body[where], (*within, *holes.loops()))
+        return [Piece(_prism(outer, body[where], (*within, *holes.loops())))]
 
     return _Feature(holes.outermost, holes.innermost, where, build)
 
 
 def _hub(keyed: KeyedBore, body: Sequence[Zone]) -> _Feature:
-    def build(outer: float | None, _: float) -> Solid:
-        return _prism(outer, body[-1], (keyed.loop(),))
+    def build(outer: float | None, _: float) -> Sequence[Piece]:
+        return [Piece(_prism(outer, body[-1], (keyed.loop(),)))]
 
     return _Feature(keyed.corner_radius, keyed.radius, len(body) - 1, build)
 
@@ -165,7 +171,7 @@ def _prism(outer: float | None, zone: Zone, holes: Sequence[Loop]) -> Swept:
     return Swept(section=section, motion=Straight(), ends=between(zone.low, zone.high))
 
 
-def _step(outer: float, inner: float, body: Sequence[Zone]) -> _Piece:
+def _step(outer: float, inner: float, body: Sequence[Zone]) -> Piece:
     """The zones between two radii, revolved; the first curve of the section is its outer wall."""
     within = [zone for zone in body if zone.inner < outer and zone.outer > inner]
     first, last = within[0], within[-1]
@@ -176,7 +182,7 @@ def _step(outer: float, inner: float, body: Sequence[Zone]) -> _Piece:
     corners = [start, (outer, first.high), *tops, (inner, last.high), (inner, last.low), *bottoms, start]
     section = Section(loops=(Loop(curves=tuple(lines_through(corners))),))
     swept = Swept(section=section, motion=Revolution(), ends=between(-FULL_TURN, 0.0))
-    return _Piece(swept, f"loop 1.{len(tops) + 3}")
+    return Piece(swept, inner_wall=f"loop 1.{len(tops) + 3}")
 
 
 def circle(radius: float, sense: int, centre: tuple[float, float] = (0.0, 0.0)) -> Loop:
