@@ -14,7 +14,7 @@ from ..curves.curve import along, in_panels
 from ..moments.quadrature import converged
 from .boundary import Boundary
 from .faces import Cap, Patch, alike, points_and_partials
-from .flux import loop_quadrature, patch_quadrature
+from .flux import cap_quadrature, patch_quadrature
 from .outlines import winding
 
 _GRID = 17  # samples a side of a patch in the search for its extremes
@@ -78,7 +78,7 @@ def _area(boundary: Boundary, nodes: int) -> float:
         pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
         for pattern, _, area_vectors in patch_quadrature(boundary.patches, nodes)
     )
-    caps = (abs(sum(cap.surface.area(*loop_quadrature(loop, nodes)) for loop in cap.loops)) for cap in boundary.caps)
+    caps = (abs(cap.surface.area(*cap_quadrature(cap, nodes))) for cap in boundary.caps)
     return sum(patches) + sum(caps)
 
 

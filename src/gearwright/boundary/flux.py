@@ -35,16 +35,21 @@ def boundary_flux(patches: Sequence[Patch], caps: Sequence[Cap], nodes: int) -> 
         vector += pattern.turned(area_vectors.sum(axis=0)[None]).sum(axis=(0, 1))
         area += pattern.order * float(np.sum(np.linalg.norm(area_vectors, axis=1)))
     for cap in caps:
-        for loop in cap.loops:
-            points, tangents = loop_quadrature(loop, nodes)
-            matrix += cap.surface.flux(points, tangents)
-            half = np.cross(points, tangents).sum(axis=0) / 2.0
-            vector += half
-            area += float(np.linalg.norm(half))
+        points, tangents = cap_quadrature(cap, nodes)
+        matrix += cap.surface.flux(points, tangents)
+        half = np.cross(points, tangents).sum(axis=0) / 2.0
+        vector += half
+        area += float(np.linalg.norm(half))
     return Flux(matrix=matrix, area_vector=vector, area=area)
 
 
-def loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
+def cap_quadrature(cap: Cap, nodes: int) -> tuple[Array, Array]:
+    """Points (n, 3) and weighted tangents (n, 3) all along the loops of a cap."""
+    loops = [_loop_quadrature(loop, nodes) for loop in cap.loops]
+    return np.concatenate([points for points, _ in loops]), np.concatenate([tangents for _, tangents in loops])
+
+
+def _loop_quadrature(loop: CapLoop, nodes: int) -> tuple[Array, Array]:
     """Points (n, 3) and weighted tangents (n, 3) all along a cap's loop, images included."""
     curves = [use.edge.curve for use in loop.uses]
     if any(curve.panels for curve in curves):

@@ -73,7 +73,7 @@ def _merged(caps: Sequence[Cap], seams: Sequence[set[Edge]]) -> list[Cap]:
     groups: list[tuple[list[Cap], set[int]]] = []
     for cap in caps:
         own = {k for k, seam in enumerate(seams) if any(_runs_on(loop, seam) for loop in cap.loops)}
-        mates = [(group, at) for group, at in groups if at & own and group[0].surface == cap.surface]
+        mates = [(group, at) for group, at in groups if at & own and group[0].surface.coincides(cap.surface)]
         together = [one for group, _ in mates for one in group]
         groups = [found for found in groups if found not in mates]
         groups.append(([*together, cap], own.union(*(at for _, at in mates))))

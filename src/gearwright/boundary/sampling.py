@@ -84,10 +84,11 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
                     raise _too_long_around(tolerance, around)
                 raise too_fine(tolerance, cells / MOST_TRIANGLES, layers)
             segments[across] = max(segments.get(across, 1), int(columns))
+    of_patches = {use.edge for patch in boundary.patches for use in patch.sides}
     for edge in boundary.edges:
-        # an edge of no patch lies on the axis of a revolution, between its two caps, and is straight
         least = _FEWEST_CLOSED if edge.closed else 1
-        segments[groups.of(edge)] = max(segments.get(groups.of(edge), 1), least)
+        alone = 1 if edge in of_patches else _segments_between_caps(edge, tolerance)
+        segments[groups.of(edge)] = max(segments.get(groups.of(edge), 1), least, alone)
     found = {edge: segments[groups.of(edge)] for edge in boundary.edges}
     triangles = sum(
         2.0 * patch.pattern.order * found[patch.sides[0].edge] * found[patch.sides[1].edge]
@@ -106,15 +107,30 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
     return Sampling(segments=found, tolerance=tolerance)
 
 
+def _segments_between_caps(edge: Edge, tolerance: float) -> int:
+    """Segments of an edge of no patch: one where it is straight, as on the axis of a revolution, more of a circle."""
+    t = np.linspace(_NEAR_END, 1.0 - _NEAR_END, 16)
+    a, b = edge.curve.interval
+    rate, before, after = (
+        edge.curve.derivative(edge.curve.parameter(t + step)) * (b - a) for step in (0.0, -_DIFFERENCE, _DIFFERENCE)
+    )
+    bend = _across(((after - before) / (2.0 * _DIFFERENCE))[None], rate[None])
+    found = float(np.ceil(np.sqrt(_MARGIN * bend.max() / (8.0 * tolerance)) - 1e-9))
+    if found > _MOST_AROUND_CAPS:
+        raise _too_long_around(tolerance, found)
+    return max(1, int(found))
+
+
 def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: float) -> Sampling:
     """So many segments along every section edge and so many layers along all others, for convergence studies.
 
-    A closed edge counts as six, so that few segments still enclose something; edges of no patch are straight.
+    A closed edge counts as six, so that few segments still enclose something. An edge of no patch is one between two
+    caps: a circle, or straight.
     """
     groups, section = _Groups(boundary), section_edges(boundary)
     swept = {use.edge for patch in boundary.patches for use in patch.sides}
     whole = {groups.of(edge) for edge in swept if edge.closed}
-    segments = dict.fromkeys(boundary.edges, 1)
+    segments = {edge: _FEWEST_CLOSED * across if edge.closed else 1 for edge in boundary.edges}
     for edge in swept:
         turns = _FEWEST_CLOSED if groups.of(edge) in whole else 1
         segments[edge] = turns * (across if edge in section else layers)

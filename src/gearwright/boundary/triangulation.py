@@ -35,12 +35,14 @@ class Grading:
 
     border    (n, 2)  points of the border
     spacing   (n,)    their own spacing
+    holes     loops (k, 2) inside which no points are wanted: a chart may have no end there, as around a cone's apex
     """
 
     surface: Surface
     tolerance: float
     border: Array
     spacing: Array
+    holes: Sequence[Array] = ()
 
     @cached_property
     def _tree(self) -> cKDTree:
@@ -67,9 +69,19 @@ class Grading:
             wanted, clearance = self.size(cells)
             fits = side <= wanted
             kept.append(cells[fits & (clearance > _CLEARANCE)])
-            cells = (cells[~fits][:, None, :] + side / 4.0 * quarter).reshape(-1, 2)
+            cells = self._not_in_holes(cells[~fits], side)
+            cells = (cells[:, None, :] + side / 4.0 * quarter).reshape(-1, 2)
             side /= 2.0
         return np.concatenate(kept)
+
+    def _not_in_holes(self, cells: Array, side: float) -> Array:
+        """Those of square cells (n, 2), by their centres, that do not lie wholly in a hole."""
+        import shapely
+
+        for hole in self.holes:
+            inside = shapely.contains_xy(shapely.Polygon(hole), cells[:, 0], cells[:, 1])
+            cells = cells[~(inside & (self._tree.query(cells)[0] > side))]
+        return cells
 
 
 def triangulate(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
@@ -106,7 +118,7 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
     border = np.concatenate(loops)
     constraints = closed_chains([len(loop) for loop in loops])
     spacing = spacing_along(border, constraints)
-    grading = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing)
+    grading = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing, holes=loops[1:])
     inner = _clear_of_sides(grading, grading.points(), constraints)
     for _ in range(_ROUNDS):
         points = np.concatenate([border, inner])

@@ -14,6 +14,7 @@ from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import revolution_sweep
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
+from ..surfaces.cone import Cone
 from ..surfaces.plane import Plane
 from ..surfaces.sphere import Sphere
 from ..surfaces.surface import Surface
@@ -57,7 +58,7 @@ class Revolution(Motion):
             return Sphere(radius=curve.radius)
         if isinstance(curve, Line) and curve.first[1] == curve.last[1]:
             return Plane(origin=(0.0, 0.0, float(curve.first[1])))
-        return None
+        return _cone(curve) if isinstance(curve, Line) else None
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         constants = ends.constants
@@ -92,3 +93,13 @@ class Revolution(Motion):
     def closed(self, ends: Ends) -> bool:
         constants = ends.constants
         return constants is not None and abs(constants[1] - constants[0] - FULL_TURN) < _CLOSED
+
+
+def _cone(line: Line) -> Cone | None:
+    """The cone or cylinder a line of the half-plane sweeps, where it faces away from the origin and upward."""
+    (first_rho, first_z), (last_rho, last_z) = line.first, line.last
+    across, up = last_z - first_z, first_rho - last_rho  # of a normal
+    sense = 1.0 if across > 0.0 else -1.0
+    angle = float(np.arctan2(sense * across, sense * up))
+    distance = float(first_rho * np.sin(angle) + first_z * np.cos(angle))
+    return Cone(angle=angle, distance=distance) if angle <= np.pi / 2.0 and distance > 0.0 else None

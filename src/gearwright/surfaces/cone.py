@@ -12,6 +12,10 @@ from ..moments.matrix import moment_matrix
 from ..moments.quadrature import gauss_legendre
 from .surface import AXES, Surface
 
+_SAME = (
+    1e-11  # radians, and of the distance: a line's direction is lost so far in the rounding of points near each other
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Cone(Surface):
@@ -36,6 +40,12 @@ class Cone(Surface):
         c, s = np.cos(self.angle), np.sin(self.angle)
         rho = np.hypot(points[..., 0], points[..., 1])
         return rho, (rho - self._pitch_radius) * c - (points[..., 2] - self.distance * c) * s
+
+    def coincides(self, other: Surface) -> bool:
+        if not isinstance(other, Cone):
+            return False
+        near = abs(self.distance - other.distance) <= _SAME * self.distance
+        return near and abs(self.angle - other.angle) <= _SAME
 
     def chart(self, points: Array) -> Array:
         c = np.cos(self.angle)
@@ -77,7 +87,8 @@ class Cone(Surface):
     def _integrals(self, points: Array, tangents: Array) -> Array:
         """∫ h hᵀ dA (4, 4), h = (1, x, y, z): the area element ρ ds dφ integrated along s, then around the loops.
 
-        From the pitch cone on, s = 0; a face around the apex has what lies within that circle besides.
+        From the pitch cone on, s = 0; a face around the apex has what lies within that circle besides. The loops of a
+        face belong together: around one that does not, the tip of a steep cone would drown it.
         """
         rho, along = self._along(points)
         step = (points[:, 0] * tangents[:, 1] - points[:, 1] * tangents[:, 0]) / rho**2  # dφ

@@ -17,8 +17,12 @@ AXES: Array = np.eye(3)
 class Surface(ABC):
     """An oriented surface with a chart: loops counter-clockwise in the chart bound a face with its natural normal.
 
-    Two surfaces are one if they compare equal.
+    Two surfaces are one if they compare equal, or `coincides` says so.
     """
+
+    def coincides(self, other: Surface) -> bool:
+        """Whether another surface is this one, but for the rounding of what it was made from."""
+        return self == other
 
     @abstractmethod
     def chart(self, points: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -19,11 +19,16 @@ _LEAST_HOLE = 1e-9  # of the diameter around it: a smaller one would lose half o
 
 def blank_problems(blank: Blank, root_diameter: float, face_width: float) -> list[tuple[str, str]]:
     """Names of parameters and what is wrong with them: first those that lack others, then the sizes of the rest."""
-    rules: tuple[Callable[[Blank, float, float], Found], ...] = (_keyway, _walls, _levels, _holes)
-    return [*_lacking(blank), *(problem for rule in rules for problem in rule(blank, root_diameter, face_width))]
+    return [
+        *lacking(blank),
+        *keyway_problems(blank),
+        *_walls(blank, root_diameter),
+        *_levels(blank, face_width),
+        *hole_problems(blank, root_diameter),
+    ]
 
 
-def _lacking(blank: Blank) -> Found:
+def lacking(blank: Blank) -> Found:
     """What was given without something it needs, or with something that it does not go with."""
     own = [name for name in ("keyway_width", "keyway_depth") if getattr(blank, name) is not None]
     if blank.bore is None:
@@ -56,8 +61,8 @@ def _lacking_for_holes(blank: Blank) -> Found:
         yield given[0], f"goes with {' and '.join(missing)}; holes have a number and a diameter"
 
 
-def _keyway(blank: Blank, root_diameter: float, face_width: float) -> Found:
-    del root_diameter, face_width
+def keyway_problems(blank: Blank) -> Found:
+    """A keyway that the standard does not have, or that is wider than the bore."""
     if blank.bore is None:
         return
     if blank.keyway == _STANDARD and blank.keyed_bore is None:
@@ -69,16 +74,15 @@ def _keyway(blank: Blank, root_diameter: float, face_width: float) -> Found:
         yield "keyway_width", f"wider than the bore; less than {rounded_down(blank.bore)} {blank.length_unit}"
 
 
-def _walls(blank: Blank, root_diameter: float, face_width: float) -> Found:
+def _walls(blank: Blank, root_diameter: float) -> Found:
     """Each cylinder must leave a wall inside the next larger one: bore, hub, rim, roots."""
-    del face_width
     unit, core = blank.length_unit, 2.0 * blank.core_radius
     if blank.bore is not None and blank.bore >= root_diameter:
         yield "bore", refusals.bore_in_roots("root diameter", root_diameter, unit)
     elif blank.bore is not None and blank.bore < _LEAST_HOLE * root_diameter:
         yield "bore", refusals.lost_hole(_LEAST_HOLE * root_diameter, unit)
     elif core >= root_diameter:
-        yield _of_keyway(blank), refusals.keyway_in_roots(core, root_diameter, unit)
+        yield name_of_keyway(blank), refusals.keyway_in_roots(core, root_diameter, unit)
     if blank.hub_diameter is not None:
         if blank.hub_diameter <= core:
             yield "hub_diameter", refusals.no_wall("bore" if blank.keyed_bore is None else "keyway", core, unit)
@@ -93,13 +97,13 @@ def _walls(blank: Blank, root_diameter: float, face_width: float) -> Found:
             yield "rim_diameter", refusals.no_web("the circle around the bore", core, unit)
 
 
-def _of_keyway(blank: Blank) -> str:
+def name_of_keyway(blank: Blank) -> str:
+    """The parameter that gives the keyway its depth."""
     return "keyway" if blank.keyway == _STANDARD else "keyway_depth"
 
 
-def _levels(blank: Blank, root_diameter: float, face_width: float) -> Found:
+def _levels(blank: Blank, face_width: float) -> Found:
     """The web must lie within the face width, and the hub reach through it."""
-    del root_diameter
     unit = blank.length_unit
     if blank.has_web and blank.web_thickness is not None and blank.web_thickness > face_width:
         yield (
@@ -124,9 +128,8 @@ def _least(value: float) -> str:
     return f"-{rounded_down(-value)}" if value < 0.0 else rounded_up(value)
 
 
-def _holes(blank: Blank, root_diameter: float, face_width: float) -> Found:
+def hole_problems(blank: Blank, root_diameter: float) -> Found:
     """Holes must leave walls to the rim, to the hub or bore, and to each other."""
-    del face_width
     holes, unit = blank.hole_circle, blank.length_unit
     if holes is None or blank.rim_diameter is None or blank.web_thickness is None:
         return
