@@ -22,6 +22,26 @@ PAIRS = {
         "trace": "logarithmic",
         "spiral_angle": 35.0,
     },
+    "9/12 circular": {
+        "teeth": (9, 12),
+        "module": 4.0,
+        "face_width": 9.0,
+        "trace": "circular",
+        "spiral_angle": 35.0,
+        "cutter_radius": 30.0,
+    },
+    "9/12 epicycloid": {
+        "teeth": (9, 12),
+        "module": 4.0,
+        "face_width": 9.0,
+        "trace": "epicycloid",
+        "spiral_angle": 30.0,
+        "cutter_radius": 40.0,
+        "blade_groups": 3,
+        "hand": "left",
+    },
+    "9/12 involute": {"teeth": (9, 12), "module": 4.0, "face_width": 7.0, "trace": "involute", "spiral_angle": 45.0},
+    "9/12 skew": {"teeth": (9, 12), "module": 4.0, "face_width": 9.0, "trace": "skew", "spiral_angle": 30.0},
     "Σ 60°": {"teeth": (16, 20), "module": 4.0, "face_width": 15.0, "shaft_angle": 60.0},
 }
 CYCLE = (np.arange(3) + 0.2) / 3.0

@@ -18,7 +18,8 @@ from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import path_through
 from gearwright.curves.spherical_involute import SphericalInvolute
-from gearwright.curves.trace import LogarithmicTrace, StraightTrace
+from gearwright.curves.traces.logarithmic import LogarithmicTrace
+from gearwright.curves.traces.straight import StraightTrace
 from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
@@ -161,15 +162,26 @@ EXAMPLES = {
         Example(Placed(motion=Revolution(), placement=LEANING), plane_section(), between(0.5, 4.5)),
         Example(Placed(motion=Herringbone(length=2.5, twist=0.8), placement=LEANING), plane_section(), between(0, 2.5)),
         Example(
-            Placed(motion=Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), placement=LEANING),
+            Placed(
+                motion=Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0)),
+                placement=LEANING,
+            ),
             spherical_section(),
             between(2.0, 3.1),
         ),
     ],
     Radial: [
         Example(Radial(trace=StraightTrace()), spherical_section(), between(2.0, 3.1)),
-        Example(Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), spherical_section(), between(2.0, 3.1)),
-        Example(Radial(trace=LogarithmicTrace(rate=-0.7, mean_distance=3.0)), spherical_section(), between(1.4, 3.1)),
+        Example(
+            Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0)),
+            spherical_section(),
+            between(2.0, 3.1),
+        ),
+        Example(
+            Radial(trace=LogarithmicTrace(ratio=-0.7, mean_distance=3.0, mean_spiral_angle=np.pi / 4.0)),
+            spherical_section(),
+            between(1.4, 3.1),
+        ),
     ],
 }
 CASES = [pytest.param(e, id=f"{cls.__name__}-{i}") for cls, es in EXAMPLES.items() for i, e in enumerate(es)]
@@ -341,7 +353,7 @@ def test_a_revolution_commutes_with_no_turn_of_its_section():
         Straight(),
         Extrusion(length=3.0, twist=1.0, scale=(0.5, 2.0), skew=(1.0, 0.0)),
         Revolution(),
-        Radial(trace=LogarithmicTrace(rate=0.7, mean_distance=2.0)),
+        Radial(trace=LogarithmicTrace(ratio=0.7, mean_distance=2.0, mean_spiral_angle=np.pi / 4.0)),
     ],
     ids=repr,
 )
@@ -543,7 +555,7 @@ def torus_section(lift):
 
 class TestRadial:
     def test_points_move_outward_and_turn_as_the_trace_says(self):
-        trace = LogarithmicTrace(rate=0.8, mean_distance=2.0)
+        trace = LogarithmicTrace(ratio=0.8, mean_distance=2.0, mean_spiral_angle=np.pi / 4.0)
         placed = Radial(trace=trace).place(np.array([0.6, 0.0, 0.8]), 3.0)
         assert np.linalg.norm(placed) == pytest.approx(3.0)
         assert placed[2] == pytest.approx(2.4)
@@ -561,7 +573,9 @@ class TestRadial:
         )
         section = SphericalSection(loops=(Loop(curves=tooth, copies=copies),))
         straight = Radial(trace=StraightTrace()).moments(section, between(40.0, 60.0))
-        spiral = Radial(trace=LogarithmicTrace(rate=1.3, mean_distance=50.0)).moments(section, between(40.0, 60.0))
+        spiral = Radial(trace=LogarithmicTrace(ratio=1.3, mean_distance=50.0, mean_spiral_angle=np.pi / 4.0)).moments(
+            section, between(40.0, 60.0)
+        )
         assert spiral.volume == pytest.approx(straight.volume, rel=1e-14)
         np.testing.assert_allclose(spiral.centroid, straight.centroid, rtol=1e-14)
         np.testing.assert_allclose(spiral.central_second, straight.central_second, rtol=1e-13)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from ..curves.trace import Trace
+from ..curves.traces.trace import Trace
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import radial_sweep
 from ..sections.section import LoopedSection
