@@ -68,6 +68,22 @@ def test_sizes_are_those_published():
     assert sizes["outer_spiral_angle"].value == pytest.approx(36.84579, abs=5e-6)
 
 
+def test_a_face_hobbed_crown_gear_turns_by_a_pitch_while_the_cutter_turns_by_a_blade_group():
+    """The trace is drawn by a blade on a cutter that turns z_p/z₀ times as fast, at 30° to the mean radius."""
+    values = {"spiral_angle": 30.0, "cutter_radius": 55.0, "blade_groups": 7, "hand": "left"}
+    gear = BevelGear(teeth=21, module=3.0, pitch_angle=40.0, face_width=14.0, trace="epicycloid", **values)
+    mean, sine = gear.mean_distance, np.sin(np.radians(40.0))
+    faster = (21 / sine) / 7
+    normal_module = 2.0 * mean * np.cos(np.radians(30.0)) * sine / 21
+    lead = np.arcsin(7 * normal_module / (2.0 * 55.0))
+    centre = mean + 55.0j * np.exp(1j * (np.radians(30.0) - lead))
+    t = np.linspace(-0.05, 0.05, 21)
+    points = np.exp(1j * t) * (centre + (mean - centre) * np.exp(1j * faster * t))
+    np.testing.assert_allclose(gear.tooth_trace.turn(np.abs(points)), -np.angle(points) / sine, atol=1e-13)
+    steepness = np.gradient(np.angle(points), np.abs(points), edge_order=2)[10] * mean
+    assert np.degrees(np.arctan(steepness)) == pytest.approx(30.0, abs=0.01)
+
+
 def test_straight_teeth_have_no_spiral_angles():
     assert not [name for name in BevelGear(**GEAR).sizes() if "spiral" in name]
 
@@ -142,6 +158,14 @@ def test_a_body_beyond_its_cone_distances_needs_a_longer_trace():
     assert not replace(spiral, stretch=(1.0, 1.1)).fits
     assert not replace(spiral, stretch=(0.6, 1.0)).fits
     assert replace(spiral, stretch=(1.0, 1.001)).fits
+
+
+def test_where_nothing_alone_would_do_two_changes_are_told():
+    values = {"trace": "epicycloid", "spiral_angle": 74.5, "cutter_radius": 1.2, "blade_groups": 36}
+    message = _refused(BevelGear, {**GEAR, "face_width": 40.0, **values}).message
+    assert "narrower face and a cutter_radius of about 31.2 mm" in message
+    message = _refused(BevelGear, {**GEAR, "face_width": 46.0, "trace": "involute", "spiral_angle": 0.3}).message
+    assert "narrower face and a spiral_angle of 35°" in message
 
 
 @pytest.mark.parametrize("unit", ["mm", "in"])

@@ -67,15 +67,19 @@ class Spiral:
         mean, angle = self.mean_distance, float(np.radians(self.spiral_angle))
         if self.trace not in MILLED:
             return _PLAIN[self.trace](ratio=ratio, mean_distance=mean, mean_spiral_angle=angle)
-        radius = self.cutter_radius or mean
+        radius = self.cutter_radius
+        if radius is None:
+            raise ValueError(f"a trace that is {self.trace} needs the radius of its cutter")
         if self.trace not in HOBBED:
             return CircularTrace(ratio=ratio, mean_distance=mean, mean_spiral_angle=angle, cutter_radius=radius)
+        if self.blade_groups is None:
+            raise ValueError(f"a trace that is {self.trace} needs the number of its cutter's blade groups")
         return EpicycloidTrace(
             ratio=ratio,
             mean_distance=mean,
             mean_spiral_angle=angle,
             cutter_radius=radius,
-            blade_groups=self.blade_groups or 1,
+            blade_groups=self.blade_groups,
             crown_teeth=self.teeth * abs(ratio),
         )
 

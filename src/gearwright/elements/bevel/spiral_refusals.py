@@ -35,5 +35,10 @@ def out_of_reach(spiral: Spiral, steepest: float, remedies: Sequence[str], unit:
     }[spiral.trace]
     inner, outer = spiral.ends
     face = f"over the face, {inner:.4g} to {outer:.4g} {unit} from the apex, at spiral angles of up to {steepest:.0f}°"
-    ways = f"{' or '.join(remedies)} does" if remedies else "take a narrower face and another spiral angle"
+    own = (
+        f"a cutter_radius of about {spiral.mean_distance:.3g} {unit}"
+        if spiral.cutter_radius
+        else "a spiral_angle of 35°"
+    )
+    ways = f"{' or '.join(remedies)} does" if remedies else f"take a narrower face and {own}"
     return f"{curve} not run {face}; {ways}"
