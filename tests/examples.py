@@ -100,6 +100,25 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "backlash": 0.3,
             "bore": 30.0,
         },
+        "zerol, left": {
+            "teeth": 17,
+            "module": 3.0,
+            "mate_teeth": 25,
+            "face_width": 12.0,
+            "trace": "circular",
+            "cutter_radius": 40.0,
+            "hand": "left",
+        },
+        "epicycloid": {
+            "teeth": 14,
+            "module": 4.0,
+            "pitch_angle": 35.0,
+            "face_width": 14.0,
+            "trace": "epicycloid",
+            "spiral_angle": 30.0,
+            "cutter_radius": 55.0,
+            "blade_groups": 5,
+        },
         "three teeth, down to near the apex": {
             "teeth": 3,
             "module": 8.0,
@@ -113,6 +132,15 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
     "bevel pair": {
         "16/20 straight": README_PAIR,
         "16/20 spiral": {**README_PAIR, **_SPIRAL},
+        "16/20 circular, left": {
+            "teeth": (16, 20),
+            "module": 4.0,
+            "face_width": 16.0,
+            "trace": "circular",
+            "spiral_angle": 35.0,
+            "cutter_radius": 50.0,
+            "hand": "left",
+        },
         "Σ 60°, spiral left, bored": {
             "teeth": (18, 27),
             "module": 3.0,

@@ -10,14 +10,14 @@ from gearwright.boundary.faces import Patch
 from gearwright.boundary.pattern import ALONE, Pattern
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
-from gearwright.curves.trace import LogarithmicTrace
+from gearwright.curves.traces.logarithmic import LogarithmicTrace
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
 from gearwright.motions.radial import Radial
 from gearwright.motions.revolution import FULL_TURN, Revolution
 
 from .shapes import BOXES
 
-SPIRAL = Radial(trace=LogarithmicTrace(rate=0.8, mean_distance=3.0))
+SPIRAL = Radial(trace=LogarithmicTrace(ratio=0.8, mean_distance=3.0, mean_spiral_angle=np.pi / 4.0))
 
 
 @pytest.mark.parametrize(

@@ -64,7 +64,7 @@ def test_all_problems_are_named_together(run):
     outcome = run("bevel", *options)
     assert outcome.code == 2
     assert outcome.out == ""
-    for text in ("module = -3", "--face-width = nan", "straight, logarithmic", "abc"):
+    for text in ("module = -3", "--face-width = nan", "straight, skew, logarithmic", "abc"):
         assert text in outcome.err
     assert "Traceback" not in outcome.err
 

@@ -165,7 +165,14 @@ def test_limits_are_those_declared(validator):
     assert [pair["properties"]["teeth"][key] for key in ("minItems", "maxItems")] == [2, 2]
     angle = single["properties"]["pressure_angle"]
     assert (angle["exclusiveMinimum"], angle["exclusiveMaximum"], angle["x-unit"]) == (0, 60, "deg")
-    assert single["properties"]["trace"]["enum"] == ["straight", "logarithmic"]
+    assert single["properties"]["trace"]["enum"] == [
+        "straight",
+        "skew",
+        "logarithmic",
+        "circular",
+        "involute",
+        "epicycloid",
+    ]
 
 
 def test_an_unknown_element_is_refused(run):

@@ -61,10 +61,19 @@ def blank(draw, module, z):
 
 @st.composite
 def trace(draw):
-    if draw(st.booleans()):
+    kind = draw(st.sampled_from(["straight", "straight", "skew", "logarithmic", "circular", "involute", "epicycloid"]))
+    if kind == "straight":
         return {}
-    spiral_angle, hand = draw(st.floats(0.0, 50.0)), draw(st.sampled_from(["right", "left"]))
-    return {"trace": "logarithmic", "spiral_angle": spiral_angle, "hand": hand}
+    values = {
+        "trace": kind,
+        "spiral_angle": draw(st.floats(0.0, 50.0)),
+        "hand": draw(st.sampled_from(["right", "left"])),
+    }
+    if kind in ("circular", "epicycloid"):
+        values["cutter_radius"] = draw(st.floats(2.0, 100.0))
+    if kind == "epicycloid":
+        values["blade_groups"] = draw(st.integers(1, 17))
+    return values
 
 
 @st.composite

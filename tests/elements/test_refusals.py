@@ -56,10 +56,36 @@ SINGLE_VALUES = [
     (ALL, {"length_unit": ("mm", "in")}, "length_unit", ("one value",)),
     (ALL, {"module": MISSING}, "module", ("give one of", "diametral_pitch")),
     (ALL, {"diametral_pitch": 2.0}, "module = ", ("give one of", "diametral_pitch")),
-    ((BevelGear, BevelPair), {"trace": "circular"}, "trace = 'circular'", ("straight", "logarithmic")),
+    ((BevelGear, BevelPair), {"trace": "curvic"}, "trace = 'curvic'", ("straight", "epicycloid")),
+    ((BevelGear, BevelPair), {"trace": "circular"}, "cutter_radius", ("is needed", "1.1 to 1.4 ×", "mm")),
+    ((BevelGear, BevelPair), {"trace": "circular", "cutter_radius": 0.0}, "cutter_radius = 0", ("greater than 0",)),
+    ((BevelGear, BevelPair), {"cutter_radius": 60.0}, "cutter_radius = 60 mm", ("circular or epicycloid",)),
+    ((BevelGear, BevelPair), {"blade_groups": 5}, "blade_groups = 5", ("epicycloid", "leave it out")),
+    (
+        (BevelGear, BevelPair),
+        {"trace": "circular", "cutter_radius": 60.0, "blade_groups": 5},
+        "blade_groups = 5",
+        ("but with epicycloid",),
+    ),
+    (
+        (BevelGear, BevelPair),
+        {"trace": "epicycloid", "cutter_radius": 60.0, "spiral_angle": 30.0},
+        "blade_groups",
+        ("is needed", "such as 5"),
+    ),
+    (
+        (BevelGear, BevelPair),
+        {"trace": "epicycloid", "cutter_radius": 60.0, "blade_groups": 0},
+        "blade_groups = 0",
+        ("at least 1",),
+    ),
+    *[
+        ((BevelGear, BevelPair), {"trace": trace}, "spiral_angle = 0°", ("needs one", "straight", "zerol"))
+        for trace in ("skew", "logarithmic", "involute")
+    ],
     ((BevelGear, BevelPair), {"hand": "up"}, "hand = 'up'", ("right", "left")),
     ((BevelGear, BevelPair), {"ends": "flat"}, "ends = 'flat'", ("spherical",)),
-    ((BevelGear, BevelPair), {"spiral_angle": 35.0}, "spiral_angle = 35°", ("straight", "logarithmic")),
+    ((BevelGear, BevelPair), {"spiral_angle": 35.0}, "spiral_angle = 35°", ("straight", "logarithmic", "circular")),
     (
         (BevelGear, BevelPair),
         {"trace": "logarithmic", "spiral_angle": 76.0},

@@ -100,15 +100,27 @@ def test_a_gear_is_symmetric_about_its_axis(part):
     assert abs(found.inertia[0, 0] - found.inertia[1, 1]) <= 1e-15 * scale
 
 
+STRAIGHT = {"trace": "straight", "spiral_angle": 0.0, "cutter_radius": None, "blade_groups": None}
 every_bevel = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)
 
 
 @every_bevel
 def test_a_spiral_changes_nothing(part):
-    gear = built(part)
-    straight = replace(gear, trace="straight", spiral_angle=0.0).properties()
-    for angle in (10.0, 35.0, 60.0):
-        spiral = replace(gear, trace="logarithmic", spiral_angle=angle).properties()
+    gear = replace(built(part), **STRAIGHT)
+    straight = gear.properties()
+    mean = gear.mean_distance
+    shallow = {"spiral_angle": 10.0, "cutter_radius": 1.3 * mean}
+    for hand, trace in (
+        ("right", {"trace": "logarithmic", "spiral_angle": 10.0}),
+        ("left", {"trace": "logarithmic", "spiral_angle": 35.0}),
+        ("right", {"trace": "logarithmic", "spiral_angle": 60.0}),
+        ("right", {"trace": "skew", "spiral_angle": 10.0}),
+        ("left", {"trace": "involute", "spiral_angle": 74.0}),
+        ("right", {"trace": "circular", **shallow}),
+        ("left", {"trace": "circular", **shallow}),
+        ("left", {"trace": "epicycloid", **shallow, "blade_groups": 3}),
+    ):
+        spiral = replace(gear, hand=hand, **trace).properties()
         np.testing.assert_allclose(spiral.volume, straight.volume, rtol=1e-13)
         np.testing.assert_allclose(spiral.centroid, straight.centroid, rtol=1e-13)
         np.testing.assert_allclose(spiral.second_moment, straight.second_moment, rtol=1e-13)
@@ -117,7 +129,8 @@ def test_a_spiral_changes_nothing(part):
 @every_bevel
 def test_hands_are_mirror_images(part):
     """y → −y, which turns each outline round: the surfaces coincide, and so do the polyhedra's corners on them."""
-    gear = replace(built(part), trace="logarithmic", spiral_angle=30.0, bore=None)
+    gear = replace(built(part), **STRAIGHT, bore=None)
+    gear = replace(gear, trace="logarithmic", spiral_angle=30.0)
     right, left = (replace(gear, hand=hand) for hand in ("right", "left"))
     u, v = (a.ravel() for a in np.meshgrid(np.linspace(0.0, 1.0, 7), np.linspace(0.0, 1.0, 5)))
     clouds = []

@@ -18,7 +18,8 @@ from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import path_through
 from gearwright.curves.spherical_involute import SphericalInvolute
-from gearwright.curves.trace import LogarithmicTrace, StraightTrace
+from gearwright.curves.traces.logarithmic import LogarithmicTrace
+from gearwright.curves.traces.straight import StraightTrace
 from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
 from gearwright.motions.ends import ConstantEnd, End, Ends, between
@@ -183,19 +184,30 @@ EXAMPLES = {
         Example(Placed(motion=Revolution(), placement=LEANING), plane_section(), between(0.5, 4.5)),
         Example(Placed(motion=Herringbone(length=2.5, twist=0.8), placement=LEANING), plane_section(), between(0, 2.5)),
         Example(
-            Placed(motion=Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), placement=LEANING),
+            Placed(
+                motion=Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0)),
+                placement=LEANING,
+            ),
             spherical_section(),
             between(2.0, 3.1),
         ),
     ],
     Radial: [
         Example(Radial(trace=StraightTrace()), spherical_section(), between(2.0, 3.1)),
-        Example(Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4)), spherical_section(), between(2.0, 3.1)),
-        Example(Radial(trace=LogarithmicTrace(rate=-0.7, mean_distance=3.0)), spherical_section(), between(1.4, 3.1)),
+        Example(
+            Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0)),
+            spherical_section(),
+            between(2.0, 3.1),
+        ),
+        Example(
+            Radial(trace=LogarithmicTrace(ratio=-0.7, mean_distance=3.0, mean_spiral_angle=np.pi / 4.0)),
+            spherical_section(),
+            between(1.4, 3.1),
+        ),
         Example(Radial(trace=StraightTrace(), levels=0.0), spherical_section(), between(1.4, 3.1)),
         Example(Radial(trace=StraightTrace(), levels=0.9), spherical_section(), between(1.4, 3.1)),
         Example(
-            Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4), levels=0.9),
+            Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0), levels=0.9),
             spherical_ring(),
             between(2.0, 3.1),
         ),
@@ -372,7 +384,7 @@ def test_a_revolution_commutes_with_no_turn_of_its_section():
         Straight(),
         Extrusion(length=3.0, twist=1.0, scale=(0.5, 2.0), skew=(1.0, 0.0)),
         Revolution(),
-        Radial(trace=LogarithmicTrace(rate=0.7, mean_distance=2.0)),
+        Radial(trace=LogarithmicTrace(ratio=0.7, mean_distance=2.0, mean_spiral_angle=np.pi / 4.0)),
     ],
     ids=repr,
 )
@@ -575,7 +587,7 @@ def torus_section(lift):
 class TestRadial:
     def test_levels_are_spheres_cones_and_planes(self):
         n = np.array([np.sin(1.1) * np.cos(0.4), np.sin(1.1) * np.sin(0.4), np.cos(1.1)])
-        trace = LogarithmicTrace(rate=0.8, mean_distance=2.0)
+        trace = LogarithmicTrace(ratio=0.8, mean_distance=2.0, mean_spiral_angle=np.pi / 4.0)
         for levels in (None, 0.0, 0.9, np.pi / 2.0):
             placed = Radial(trace=trace, levels=levels).place(n, 3.0)
             rho, z = np.hypot(placed[0], placed[1]), placed[2]
@@ -585,11 +597,11 @@ class TestRadial:
             assert np.arctan2(placed[1], placed[0]) - 0.4 == pytest.approx(0.8 * np.log(np.hypot(rho, z) / 2.0))
 
     def test_without_symmetry_a_turning_section_between_cones_has_no_reduction(self):
-        motion = Radial(trace=LogarithmicTrace(rate=1.2, mean_distance=2.4), levels=0.9)
+        motion = Radial(trace=LogarithmicTrace(ratio=1.2, mean_distance=2.4, mean_spiral_angle=np.pi / 4.0), levels=0.9)
         assert motion.moments(spherical_section(), between(2.0, 3.1)) is None
 
     def test_points_move_outward_and_turn_as_the_trace_says(self):
-        trace = LogarithmicTrace(rate=0.8, mean_distance=2.0)
+        trace = LogarithmicTrace(ratio=0.8, mean_distance=2.0, mean_spiral_angle=np.pi / 4.0)
         placed = Radial(trace=trace).place(np.array([0.6, 0.0, 0.8]), 3.0)
         assert np.linalg.norm(placed) == pytest.approx(3.0)
         assert placed[2] == pytest.approx(2.4)
@@ -607,7 +619,9 @@ class TestRadial:
         )
         section = SphericalSection(loops=(Loop(curves=tooth, copies=copies),))
         straight = Radial(trace=StraightTrace()).moments(section, between(40.0, 60.0))
-        spiral = Radial(trace=LogarithmicTrace(rate=1.3, mean_distance=50.0)).moments(section, between(40.0, 60.0))
+        spiral = Radial(trace=LogarithmicTrace(ratio=1.3, mean_distance=50.0, mean_spiral_angle=np.pi / 4.0)).moments(
+            section, between(40.0, 60.0)
+        )
         assert spiral.volume == pytest.approx(straight.volume, rel=1e-14)
         np.testing.assert_allclose(spiral.centroid, straight.centroid, rtol=1e-14)
         np.testing.assert_allclose(spiral.central_second, straight.central_second, rtol=1e-13)

@@ -82,10 +82,23 @@ WEB_HOLE_CIRCLE = Parameter(
     above=0,
 )
 TRACE = Parameter(
-    meaning="tooth trace along the face; logarithmic is a spiral", kind="choice", choices=("straight", "logarithmic")
+    meaning="tooth trace along the face: skew teeth are straight and pass the apex, logarithmic ones keep their spiral"
+    " angle, circular ones are face-milled (zerol at spiral angle 0), epicycloid ones face-hobbed",
+    kind="choice",
+    choices=("straight", "skew", "logarithmic", "circular", "involute", "epicycloid"),
 )
 SPIRAL_ANGLE = Parameter(
     meaning="spiral angle at the mean cone distance", unit="angle", symbol="β_m", minimum=0, maximum=75
+)
+CUTTER_RADIUS = Parameter(
+    meaning="radius of the cutter that cuts the tooth trace", unit="length", symbol="r_c0", above=0
+)
+BLADE_GROUPS = Parameter(
+    meaning="number of blade groups of the face-hobbing cutter",
+    kind="integer",
+    symbol="z_0",
+    minimum=1,
+    maximum=100,
 )
 HAND = Parameter(meaning="hand of the spiral (a pair: of the pinion)", kind="choice", choices=("right", "left"))
 ROOT = Parameter(

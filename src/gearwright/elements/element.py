@@ -113,12 +113,3 @@ def require_at_most_one(problems: Problems, element: object, *names: str) -> Non
     given = [name for name in names if getattr(element, name) is not None]
     if len(given) > 1:
         problems.add(given[0], refusals.said_twice(given[1:]))
-
-
-def require_angle_of_trace(problems: Problems, trace: str, spiral_angle: float) -> None:
-    """Adds a problem unless a spiral trace, and only one, has a spiral angle."""
-    if problems.sound("trace", "spiral_angle"):
-        if trace == "straight" and spiral_angle:
-            problems.add("spiral_angle", refusals.STRAIGHT_WITH_ANGLE)
-        elif trace != "straight" and not spiral_angle:
-            problems.add("spiral_angle", refusals.LOGARITHMIC_WITHOUT_ANGLE)

@@ -10,8 +10,6 @@ import numpy as np
 from ..parameters import rounded_down, rounded_up
 
 ONE_PITCH = "give one of module (mm) and diametral_pitch (per inch)"
-LOGARITHMIC_WITHOUT_ANGLE = 'a logarithmic trace needs one, such as 35; teeth without one are trace "straight"'
-STRAIGHT_WITH_ANGLE = 'a straight trace has none; choose trace "logarithmic", or leave it out'
 
 NO_PROFILE = "it has no plane section, which is what is drawn; `picture` shows it, and `save` writes its polyhedron"
 

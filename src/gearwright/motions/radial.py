@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from ..curves.trace import StraightTrace, Trace
+from ..curves.traces.straight import StraightTrace
+from ..curves.traces.trace import Trace
 from ..moments.body import BodyMoments, about_centroid
 from ..moments.sweep import radial_sweep
 from ..sections.section import LoopedSection

@@ -11,7 +11,7 @@ import numpy as np
 from ...boundary.gluing import Joint
 from ...curves.arc import Arc
 from ...curves.line import Line
-from ...curves.trace import LogarithmicTrace, StraightTrace, Trace
+from ...curves.traces.trace import Trace
 from ...motions.ends import between
 from ...motions.radial import Radial
 from ...motions.revolution import FULL_TURN, Revolution
@@ -23,8 +23,10 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals, remarks
-from ..element import Element, module_in, require_angle_of_trace, require_one_pitch
+from ..element import Element, module_in, require_one_pitch
 from .pitch_cone import pitch_cone_angle, require_cone
+from .spiral import HOBBED, MILLED, spiral_of
+from .spiral_checks import require_reach, require_spiral
 from .tooth import BevelTooth
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
@@ -59,6 +61,8 @@ class BevelGear(Element):
     bore: float | None = declared(d.BORE, default=None)
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
+    cutter_radius: float | None = declared(d.CUTTER_RADIUS, default=None, only={"trace": MILLED})
+    blade_groups: int | None = declared(d.BLADE_GROUPS, default=None, only={"trace": HOBBED})
     hand: str = declared(d.HAND, default="right")
     root: str = declared(d.ROOT, default="radial")
     ends: str = declared(d.BEVEL_ENDS, default="spherical")
@@ -68,7 +72,6 @@ class BevelGear(Element):
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
         self._check_cone(problems)
-        require_angle_of_trace(problems, self.trace, self.spiral_angle)
         if problems.computable(*_OF_THE_CONE, *_OF_THE_BLANK) and problems.sound(
             "module", "pitch_angle", "shaft_angle"
         ):
@@ -77,6 +80,7 @@ class BevelGear(Element):
             "module", "pitch_angle", "shaft_angle", "dedendum"
         ):
             self._check_tooth(problems)
+        require_spiral(problems, self)
         problems.raise_any()
 
     def _check_cone(self, problems: Problems) -> None:
@@ -97,6 +101,7 @@ class BevelGear(Element):
                 f"more than the cone distance, {self.cone_distance:.2f} {unit}; 0.3 × cone distance "
                 f"({0.3 * self.cone_distance:.3g} {unit}) is usual, 0.35 × the most",
             )
+        require_reach(problems, spiral_of(self), unit)
         if self.root_angle <= 0.0:
             limit = self.cone_distance * np.tan(self.pitch_cone_angle)
             problems.add("dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")
@@ -118,10 +123,7 @@ class BevelGear(Element):
             return
         if tooth.face_angle >= tooth.pointed_angle:
             limit = self.cone_distance * np.tan(tooth.pointed_angle - self.pitch_cone_angle)
-            problems.add(
-                "addendum",
-                refusals.pointed_tooth(limit, unit),
-            )
+            problems.add("addendum", refusals.pointed_tooth(limit, unit))
         if tooth.root_space <= 0.0:
             limit = self._nominal_thickness + tooth.root_space * self.pitch_radius
             problems.add(
@@ -205,11 +207,7 @@ class BevelGear(Element):
     @property
     def tooth_trace(self) -> Trace:
         """The turn of the section along the face; positive for a right-hand spiral."""
-        if self.trace == "straight":
-            return StraightTrace()
-        sense = 1.0 if self.hand == "right" else -1.0
-        rate = sense * np.tan(np.radians(self.spiral_angle)) / np.sin(self.pitch_cone_angle)
-        return LogarithmicTrace(rate=float(rate), mean_distance=self.mean_distance)
+        return spiral_of(self).tooth_trace
 
     @property
     def upward(self) -> Literal[1, -1]:
@@ -226,7 +224,7 @@ class BevelGear(Element):
 
     @property
     def description(self) -> str:
-        spiral = f", {self.hand}-hand spiral {self.spiral_angle:g}°" if self.spiral_angle else ""
+        spiral = "" if self.trace == "straight" else f", {self.hand}-hand spiral {self.spiral_angle:g}°"
         return f"z = {self.teeth}, δ = {np.degrees(self.pitch_cone_angle):.4g}°{spiral}"
 
     @cached_property
@@ -279,6 +277,7 @@ class BevelGear(Element):
             "base_angle": (self.base_cone_angle, "δ_b", "half-angle of the base cone"),
             "addendum_angle": (self.face_angle - self.pitch_cone_angle, "θ_a", "addendum angle"),
             "dedendum_angle": (self.pitch_cone_angle - self.root_angle, "θ_f", "dedendum angle"),
+            **spiral_of(self).sizes(),
         }
 
 

@@ -11,11 +11,13 @@ from ...arrays import Array
 from ...parameters import Problems, Size, declared, member_value, rounded_down
 from .. import declarations as d
 from .. import remarks
-from ..element import module_in, require_angle_of_trace, require_one_pitch
+from ..element import module_in, require_one_pitch
 from ..pair import Pair
 from .bevel_gear import BevelGear
 from .meshing import contact_ratio, interference_limit, meshing_placements
 from .pitch_cone import pitch_cone_angle, require_cone
+from .spiral import HOBBED, MILLED
+from .spiral_checks import require_spiral
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
 _OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
@@ -47,6 +49,8 @@ class BevelPair(Pair):
     bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
+    cutter_radius: float | None = declared(d.CUTTER_RADIUS, default=None, only={"trace": MILLED})
+    blade_groups: int | None = declared(d.BLADE_GROUPS, default=None, only={"trace": HOBBED})
     hand: str = declared(d.HAND, default="right")
     root: str = declared(d.ROOT, default="radial")
     ends: str = declared(d.BEVEL_ENDS, default="spherical")
@@ -55,13 +59,13 @@ class BevelPair(Pair):
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        require_angle_of_trace(problems, self.trace, self.spiral_angle)
         computable = (
             problems.counted() and problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
         )
         if computable and self._check_cones(problems) and self._check_depths(problems):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
             problems.add_members(members, settled=("mate_teeth",))
+        require_spiral(problems, self)
         if problems.sound():
             self._check_engagement(problems)
         problems.raise_any()
@@ -146,6 +150,8 @@ class BevelPair(Pair):
             bore=member_value(self.bore, member),
             trace=self.trace,
             spiral_angle=self.spiral_angle,
+            cutter_radius=self.cutter_radius,
+            blade_groups=self.blade_groups,
             hand=(self.hand, other_hand)[member],
             root=self.root,
             ends=self.ends,
@@ -175,7 +181,7 @@ class BevelPair(Pair):
     @property
     def description(self) -> str:
         """A few words that tell this pair from others."""
-        spiral = f"{self.trace} spiral {self.spiral_angle:g}°" if self.spiral_angle else "straight"
+        spiral = "straight" if self.trace == "straight" else f"{self.trace} spiral {self.spiral_angle:g}°"
         return f"{self.teeth[0]}/{self.teeth[1]} teeth, {spiral}, Σ = {self.shaft_angle:g}°"
 
     def placements(self, turn: float = 0.0) -> tuple[Array, Array]:

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from ...curves.trace import Trace
+from ...curves.traces.trace import Trace
 from ...motions.ends import Ends, between
 from ...motions.radial import Radial
 

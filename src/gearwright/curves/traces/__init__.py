@@ -1,0 +1,1 @@
+"""Tooth traces of bevel gears, each in a file of its own."""
