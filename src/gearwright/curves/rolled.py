@@ -32,7 +32,7 @@ class RolledCurve(Curve):
     pitch_angle   γ, half-angle of the pitch cone, radians, 0 < γ ≤ π/2; a crown gear's own is π/2
 
     Where the turn and the distance are 0 the curve is on the pitch cone, at azimuth 0. It is the flank on the
-    clockwise side of the gear's tooth: its azimuth grows with the polar angle.
+    clockwise side of the gear's tooth: above the pitch cone its azimuth grows with the polar angle.
     """
 
     pitch_angle: float

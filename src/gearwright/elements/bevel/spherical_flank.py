@@ -57,7 +57,7 @@ class SphericalFlank(ABC):
 
     @abstractmethod
     def azimuth_at(self, polar: ArrayLike) -> Array:
-        """Azimuth (...) at polar angles (...), growing with them. Raises ValueError where the flank does not reach."""
+        """Azimuth (...) at polar angles (...). Raises ValueError where the flank does not reach."""
 
     @abstractmethod
     def polar_at_azimuth(self, azimuth_angle: float) -> float:
