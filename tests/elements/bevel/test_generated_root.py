@@ -5,55 +5,26 @@ import warnings
 import numpy as np
 import pytest
 
-from gearwright.elements.bevel.tooth import BevelTooth
-
 from .generating_crown import GeneratingCrown
+from .teeth import PRESSURE, polar_and_azimuth, tooth
 
-PRESSURE = np.radians(20.0)
 EVERY_FORM = pytest.mark.parametrize("form", ["involute", "octoid"])
 GEARS = [(5, 3), (5, 30), (8, 51.34), (8, 90), (12, 10), (12, 75), (20, 3), (20, 51.34), (40, 10), (60, 88), (60, 90)]
 
 
-def tooth(teeth, pitch, form, rho=0.3, backlash=0.0, **changes):
-    """A tooth of one and 1.25 modules above and below the pitch cone; the tip radius and the backlash in modules."""
-    gamma = np.radians(pitch)
-    module = 2.0 * np.sin(gamma) / teeth
-    values = {
-        "teeth": teeth,
-        "pitch_angle": gamma,
-        "pressure_angle": PRESSURE,
-        "face_angle": gamma + np.arctan(module),
-        "root_angle": gamma - np.arctan(1.25 * module),
-        "thickness": (np.pi - backlash) / teeth,
-        "form": form,
-        "tip_radius": None if rho is None else rho * module,
-    }
-    return BevelTooth(**{**values, **changes})
+def tool(cut):
+    space = 2.0 * np.pi / cut.teeth - cut.thickness
+    half_width = space * np.sin(cut.pitch_angle) / 2.0
+    return GeneratingCrown(cut.form, cut.pressure_angle, half_width, cut.pitch_angle - cut.root_angle, cut.tip_radius)
 
 
-def tool(tooth):
-    space = 2.0 * np.pi / tooth.teeth - tooth.thickness
-    return GeneratingCrown(
-        tooth.form,
-        tooth.pressure_angle,
-        space * np.sin(tooth.pitch_angle) / 2.0,
-        tooth.pitch_angle - tooth.root_angle,
-        tooth.tip_radius,
-    )
-
-
-def space_side(tooth, fractions):
+def space_side(cut, fractions):
     """Points of fillet, flank and root arc on the clockwise flank of a tooth, the space below it on azimuth 0."""
-    middle = np.pi / tooth.teeth
+    middle = np.pi / cut.teeth
     c, s = np.cos(middle), np.sin(middle)
     turned = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    curves = [tooth.fillet.curve(), *tooth.tooth_flank.curves()]
+    curves = [cut.fillet.curve(), *cut.tooth_flank.curves()]
     return [curve.point(curve.parameter(fractions)) @ turned.T for curve in curves]
-
-
-def polar_and_azimuth(points):
-    x, y, z = np.moveaxis(points, -1, 0)
-    return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
 
 
 @EVERY_FORM
