@@ -20,12 +20,16 @@ from gearwright.curves.interpolated import Interpolated, chebyshev_stations
 from gearwright.curves.involute import Involute
 from gearwright.curves.line import Line
 from gearwright.curves.meridian import Meridian
+from gearwright.curves.octoid import Octoid
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.path import Path, path_through
 from gearwright.curves.polynomial import Polynomial
 from gearwright.curves.rational_bezier import RationalBezier
 from gearwright.curves.relieved_involute import RelievedInvolute
+from gearwright.curves.relieved_rolled import RelievedRolled
+from gearwright.curves.rolled_involute import RolledInvolute
 from gearwright.curves.spherical_involute import SphericalInvolute
+from gearwright.curves.spherical_trochoid import SphericalTrochoid
 from gearwright.curves.stereographic import Stereographic
 from gearwright.curves.trochoid import Trochoid
 from gearwright.curves.turning import Turned, TurnedArc
@@ -57,6 +61,7 @@ WIDENING = Interpolated(
     ),
     stations=tuple(KNOTS.tolist()),
 )
+OCTOID = Octoid(pitch_angle=0.9, pressure_angle=0.4, interval=(-0.3, 0.5))
 LIFTING = Polynomial(coefficients=(0.0, 0.3, 0.0, -0.2))
 
 EXAMPLES = {
@@ -101,6 +106,24 @@ EXAMPLES = {
     SphericalInvolute: [
         SphericalInvolute(base_cone_angle=0.6, interval=(0.0, 3.5)),
         SphericalInvolute(base_cone_angle=1.3, interval=(3.1, 0.2)),
+    ],
+    Octoid: [OCTOID, Octoid(pitch_angle=np.pi / 2.0, pressure_angle=0.3, interval=(1.1, -0.9))],
+    RolledInvolute: [RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(-0.2, 0.6))],
+    RelievedRolled: [
+        RelievedRolled(pitch_angle=0.9, flank=OCTOID, amount=0.03, begin=0.1, full=0.5, power=2, interval=(0.1, 0.5)),
+        RelievedRolled(
+            pitch_angle=0.8,
+            flank=RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(0.0, 0.0)),
+            amount=-0.02,
+            begin=0.3,
+            full=-0.1,
+            power=1,
+            interval=(0.3, -0.1),
+        ),
+    ],
+    SphericalTrochoid: [
+        SphericalTrochoid(pitch_angle=0.8, depth=0.06, offset=0.02, radius=0.03, interval=(1.57, 0.5)),
+        SphericalTrochoid(pitch_angle=np.pi / 2.0, depth=-0.02, offset=0.0, radius=0.05, interval=(0.6, 1.5)),
     ],
     Turned: [
         TURNED,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -29,6 +30,14 @@ def unmapped(curve: Curve) -> Curve:
     while isinstance(curve, Mapped):
         curve = curve.curve
     return curve
+
+
+class Touchable(Protocol):
+    """A placed flank on the unit sphere, its parameter from 0 to 1."""
+
+    def point(self, u: float, extra_turn: float = 0.0) -> np.ndarray: ...
+    def points(self, u: np.ndarray) -> np.ndarray: ...
+    def tangent(self, u: float, extra_turn: float = 0.0) -> np.ndarray: ...
 
 
 @dataclass(frozen=True)
@@ -84,7 +93,7 @@ def contacts(pair: BevelPair, placements: tuple[np.ndarray, np.ndarray], level: 
     ]
     for side, pinion in near[0]:
         for _, gear in near[1]:
-            found = _touching(pinion, gear)
+            found = touching(pinion, gear)
             if found is not None and pinion.outward(found[0]) @ gear.outward(found[1]) < 0.0:
                 yield Contact(side, *found)
 
@@ -99,7 +108,7 @@ def _distance(flank: Flank, direction: np.ndarray) -> float:
     return float(np.linalg.norm(flank.point(0.5) - direction))
 
 
-def _touching(pinion: Flank, gear: Flank) -> tuple[float, float, float] | None:
+def touching(pinion: Touchable, gear: Touchable) -> tuple[float, float, float] | None:
     """(u, u, extra turn) of a contact on both flanks, by Newton's method; None where they have none."""
     u = np.linspace(0.0, 1.0, 41)
     distance = np.linalg.norm(pinion.points(u)[:, None] - gear.points(u)[None], axis=-1)
@@ -120,7 +129,7 @@ def _touching(pinion: Flank, gear: Flank) -> tuple[float, float, float] | None:
     return tuple(x) if touches else None
 
 
-def _mismatch(pinion: Flank, gear: Flank, x: np.ndarray) -> np.ndarray:
+def _mismatch(pinion: Touchable, gear: Touchable, x: np.ndarray) -> np.ndarray:
     """Difference of the points (3) and triple product of point and both tangents (1)."""
     point = pinion.point(x[0])
     volume = point @ np.cross(pinion.tangent(x[0]), gear.tangent(x[1], x[2]))

@@ -151,7 +151,7 @@ class BevelGear(Element):
     @property
     def base_cone_angle(self) -> float:
         """γ_b, radians: sin γ_b = sin γ cos a (eq. G2)."""
-        return float(np.arcsin(np.sin(self.pitch_cone_angle) * np.cos(np.radians(self.pressure_angle))))
+        return self.tooth.base_cone_angle
 
     @property
     def cone_distance(self) -> float:
@@ -197,8 +197,8 @@ class BevelGear(Element):
     def tooth(self) -> BevelTooth:
         return BevelTooth(
             teeth=self.teeth,
-            base_cone_angle=self.base_cone_angle,
             pitch_angle=self.pitch_cone_angle,
+            pressure_angle=float(np.radians(self.pressure_angle)),
             face_angle=self.face_angle,
             root_angle=self.root_angle,
             thickness=self.outer_thickness / self.pitch_radius,

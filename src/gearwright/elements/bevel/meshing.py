@@ -1,8 +1,10 @@
-"""Two bevel gears in engagement on the sphere: line of action, contact ratio, limits of interference, placement.
+"""Two bevel gears in engagement on the sphere: path of contact, contact ratio, limits of interference, placement.
 
-The line of action is the common tangent great circle of the base cones; along it each member unwinds the
-angle α = acos(cos δ/cos γ_b) of its own involute. Source: theory of the spherical involute, Al-Daccak 1989,
-ch. 3; contact ratio and limits as for parallel axes, ISO 21771, with great circles for lines.
+Both flanks are those that one crown gear leaves, on its two sides; its turn u from contact at the pitch point tells
+the contact: the flank's own parameter on one member, its negative on the other, whatever the form. For involutes
+the path is the common tangent great circle of the base cones and u = (α − α_p)/cos a, α being unwound along it.
+Source: theory of the spherical involute, Al-Daccak 1989, ch. 3; contact ratio and limits as for parallel axes,
+ISO 21771, with great circles for lines.
 """
 
 from __future__ import annotations
@@ -10,28 +12,27 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
-from ...curves.spherical_involute import roll_at_polar_angle
 from .tooth import BevelTooth
 
 
-def unwound(tooth: BevelTooth, polar: float) -> float:
-    """α, the angle unwound along the great circle where the tooth's involute has a polar angle."""
-    return float(roll_at_polar_angle(polar, tooth.base_cone_angle) * np.sin(tooth.base_cone_angle))
-
-
 def contact_ratio(pinion: BevelTooth, gear: BevelTooth) -> float:
-    """Transverse contact ratio ε = Σ (α_a − α_p)/(2π sin γ_b/z), while the involutes last."""
-    path = sum(unwound(tooth, tooth.face_angle) - unwound(tooth, tooth.pitch_angle) for tooth in (pinion, gear))
-    return float(path / (2.0 * np.pi * np.sin(pinion.base_cone_angle) / pinion.teeth))
+    """Transverse contact ratio ε = Σ u_a/(2π sin γ/z), while the flanks last; the same z/sin γ for both."""
+    path = sum(float(tooth.flank.parameter_at(tooth.face_angle)) for tooth in (pinion, gear))
+    return float(path / (2.0 * np.pi * np.sin(pinion.pitch_angle) / pinion.teeth))
 
 
 def interference_limit(tooth: BevelTooth, mate: BevelTooth) -> float:
-    """Largest face angle of a tooth whose tip still meets its mate's involute above the base cone, radians.
+    """Largest face angle of a tooth whose tip still meets its mate's form above its inner end, radians.
 
-    cos δ_a ≥ cos γ_b cos(α_p + α_p′), both unwound angles taken at the pitch cones.
+    For involutes cos δ_a ≥ cos γ_b cos(α_p + α_p′), both unwound angles taken at the pitch cones.
     """
-    whole = unwound(tooth, tooth.pitch_angle) + unwound(mate, mate.pitch_angle)
-    return float(np.arccos(np.cos(tooth.base_cone_angle) * np.cos(whole)))
+    return tooth.flank.polar_at(min(-mate.flank.least_turn, tooth.flank.greatest_turn))
+
+
+def fillet_limit(tooth: BevelTooth, mate: BevelTooth) -> float:
+    """Largest face angle of a tooth whose tip still meets its mate's flank proper, above its fillet, radians."""
+    first = float(mate.flank.parameter_at(mate.form_angle))
+    return tooth.flank.polar_at(min(-first, tooth.flank.greatest_turn))
 
 
 def meshing_placements(shaft_angle: float, pinion_teeth: int, gear_teeth: int, turn: float) -> tuple[Array, Array]:

@@ -1,0 +1,105 @@
+"""The flank proper of a bevel gear's tooth, from the fillet to the tip, with relief."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ...arrays import Array, ArrayLike
+from ...curves.curve import Curve, mapped, turn
+from ...curves.relieved_rolled import RelievedRolled
+from .spherical_flank import SphericalFlank
+
+
+@dataclass(frozen=True, kw_only=True)
+class Relief:
+    """Tip relief: `amount` along the normal great circle at the end of the flank, growing from a polar angle on.
+
+    amount   radians on the unit sphere
+    begin    polar angle, radians
+    power    1: evenly with the turn of the crown gear; 2: parabolically
+    """
+
+    amount: float
+    begin: float
+    power: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToothFlank:
+    """The flank on the clockwise side of a tooth on azimuth 0; radians.
+
+    form         the flank without relief
+    thickness    angular, of the tooth at the pitch cone, about its axis
+    form_angle   polar angle at which the flank begins, at the root
+    face_angle   polar angle at which it ends
+    relief       at the tip, if any
+    """
+
+    form: SphericalFlank
+    thickness: float
+    form_angle: float
+    face_angle: float
+    relief: Relief | None = None
+
+    @cached_property
+    def relieved(self) -> RelievedRolled | None:
+        """The part with relief, with the pitch cone crossed at azimuth 0.
+
+        It ends where, with all of the relief, it is on the face cone. Raises ValueError where the form ends before.
+        """
+        relief = self.relief
+        if relief is None:
+            return None
+        begin, face = (float(u) for u in self.form.parameter_at([relief.begin, self.face_angle]))
+        last = self.form.greatest_turn
+        end = float(brentq(lambda u: self._lowered(u, relief.amount) - self.face_angle, face, last, xtol=1e-15))
+        return RelievedRolled(
+            pitch_angle=self.form.pitch_angle,
+            flank=self.form.rolled(begin, end),
+            amount=relief.amount,
+            begin=begin,
+            full=end,
+            power=relief.power,
+            interval=(begin, end),
+        )
+
+    def _lowered(self, u: float, amount: float) -> float:
+        """Polar angle of the point of the form at u, moved along its normal great circle by an amount."""
+        at_once = RelievedRolled(
+            pitch_angle=self.form.pitch_angle,
+            flank=self.form.rolled(u, u),
+            amount=amount,
+            begin=u - 1.0,
+            full=u,
+            power=1,
+            interval=(u, u),
+        )
+        return float(at_once.polar_angle(u))
+
+    def half_angle(self, polar: ArrayLike) -> Array:
+        """Half the angle (...) of the tooth about its axis at polar angles (...) of the flank."""
+        delta = np.asarray(polar, float)
+        if self.relief is None or self.relieved is None:
+            return self.thickness / 2.0 - self.form.azimuth_at(delta)
+        below = self.form.azimuth_at(np.minimum(delta, self.relief.begin))
+        above = self.relieved.azimuth(self.relieved.at_polar_angle(delta))
+        return self.thickness / 2.0 - np.where(delta <= self.relief.begin, below, above)
+
+    @cached_property
+    def tip_half(self) -> float:
+        """Half the angle of the tooth at its tip."""
+        end = self.relieved
+        azimuth = self.form.azimuth_at(self.face_angle) if end is None else end.azimuth(end.interval[1])
+        return float(self.thickness / 2.0 - azimuth)
+
+    def curves(self) -> list[Curve]:
+        """From the form angle to the face cone."""
+        last = self.face_angle if self.relief is None else self.relief.begin
+        found = [self.form.curve(self.form_angle, last)]
+        if self.relieved is not None:
+            found.append(self.relieved)
+        return [mapped(curve, turn(-self.thickness / 2.0, 3)) for curve in found]
