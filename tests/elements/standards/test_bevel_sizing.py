@@ -289,6 +289,7 @@ def test_long_and_short_addenda_keep_depth_and_clearance_and_move_material_to_th
         (lambda: iso_23509(design(spiral=30.0), taper="duplex"), ["cutter_radius not given", "28.04"]),
         (lambda: iso_23509(design(spiral=30.0, cutter_radius=20.0), taper="tilted"), ["cutter_radius = 20", "28.04"]),
         (lambda: iso_23509(design(), depths=DepthData(profile_shift=1.25)), ["depths", "profile shift"]),
+        (lambda: iso_23509(design(), depths=DepthData(profile_shift=-1.0)), ["depths", "profile shift"]),
     ],
 )
 def test_what_has_no_proportions_is_refused_with_a_way_out(make, words):
