@@ -1,0 +1,1 @@
+"""Sizing systems of bevel gears, and the sizes that follow from them."""
