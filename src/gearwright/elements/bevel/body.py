@@ -110,7 +110,7 @@ class BevelBody:
         return 0.0 if self.blank.hub_diameter is None else self.blank.hub_diameter / 2.0
 
     @property
-    def _wide_hub(self) -> bool:
+    def hub_is_wide(self) -> bool:
         """Whether the hub is wider than the front face."""
         return self._hub_radius >= self.room
 
@@ -126,10 +126,10 @@ class BevelBody:
     @property
     def zones(self) -> tuple[Zone, ...]:
         """What is inside the ring, between cylinders."""
-        bounds = [(self.room, (self.front, self.back if self._wide_hub else self.back_edge[1]))]
+        bounds = [(self.room, (self.front, self.back if self.hub_is_wide else self.back_edge[1]))]
         if self.blank.has_web and self.blank.rim_diameter is not None:
             bounds.append((self.blank.rim_diameter / 2.0, self.web_levels))
-        if self.blank.hub_diameter is not None and not self._wide_hub:
+        if self.blank.hub_diameter is not None and not self.hub_is_wide:
             bounds.append((self._hub_radius, (self.hub_start, self.back)))
         return zones(bounds, 0.0 if self.blank.bore is None else self.blank.bore / 2.0)
 
@@ -159,9 +159,9 @@ class BevelBody:
         (_, front), (_, level) = self.front_edge, self.back_edge
         conical = self.ends.kind == "conical"
         back = [self.back_edge] if conical else []
-        if self._wide_hub and self.back != level:
+        if self.hub_is_wide and self.back != level:
             back += [(self._hub_radius, level), (self._hub_radius, self.back)]
-        top = self.back if self._wide_hub else level
+        top = self.back if self.hub_is_wide else level
         ahead = [self.front_edge] if conical else []
         return list(lines_through([ring_front, ring_back, *back, (radius, top), (radius, front), *ahead, ring_front]))
 

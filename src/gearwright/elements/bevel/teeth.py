@@ -1,0 +1,124 @@
+"""The teeth of a bevel gear in numbers: what changes along the face, and the section that varies with it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from ...sections.sphere import SphericalSection
+from .depth_line import DepthLine
+from .spherical_flank import Form
+from .tooth import BevelTooth
+from .tooth_ends import ToothEnds
+from .tooth_flank import Relief
+from .varying_section import varying_section
+
+_PLACES = {"inner": 0.0, "mean": 0.5, "outer": 1.0}
+
+
+@dataclass(frozen=True, kw_only=True)
+class BevelTeeth:
+    """Teeth between two ends. Lengths at the outer end, in the length unit; angles in radians.
+
+    pitch_angle, pressure_angle   γ and the transverse a
+    tips, roots                   lines of the axial plane
+    thickness                     angular, at the pitch cone, about the axis; the same all along but for crowning
+    tip_radius                    ρ of the crown gear's tip; None: radial roots. Elsewhere it goes with the dedendum
+    relief, relief_height         amount along the normal and the part of the addendum it takes; both go with depth and
+                                  cone distance
+    relief_power                  1 linear, 2 parabolic
+    crowning                      C_β by which each flank is lower at its ends than at mid-face, along its normal in the
+                                  transverse section: it turns into the tooth by C_β (2(s − R_m)/b)²/(s sin γ cos a)
+    """
+
+    teeth: int
+    pitch_angle: float
+    pressure_angle: float
+    form: Form
+    ends: ToothEnds
+    tips: DepthLine
+    roots: DepthLine
+    thickness: float
+    tip_radius: float | None = None
+    relief: float = 0.0
+    relief_height: float = 0.0
+    relief_power: Literal[1, 2] = 1
+    crowning: float = 0.0
+
+    def level(self, place: str) -> float:
+        """Parameter v of the inner, the mean or the outer end (see `Radial`)."""
+        inner, outer = self.ends.inner, self.ends.outer
+        return self.ends.parameter(inner + _PLACES[place] * (outer - inner))
+
+    def pitch_distance(self, v: float) -> float:
+        """s from the apex along the pitch line, of the level of a parameter."""
+        return v / float(np.cos(self.pitch_angle)) if self.ends.kind == "flat" else v
+
+    def tooth(self, v: float) -> BevelTooth:
+        """The tooth on the level of a parameter, as it looks from the apex."""
+        face, root = self.tips.polar_angle(self.ends, v), self.roots.polar_angle(self.ends, v)
+        return BevelTooth(
+            teeth=self.teeth,
+            pitch_angle=self.pitch_angle,
+            pressure_angle=self.pressure_angle,
+            face_angle=face,
+            root_angle=root,
+            thickness=self.thickness - 2.0 * self._crown(v),
+            form=self.form,
+            tip_radius=None if self.tip_radius is None else self._tip_radius(self.tip_radius, root),
+            relief=self._relief(face) if self.relief else None,
+        )
+
+    def _tip_radius(self, outer: float, root: float) -> float:
+        whole = self.pitch_angle - self.roots.polar_angle(self.ends, self.level("outer"))
+        return outer / self.ends.outer * (self.pitch_angle - root) / whole
+
+    def _relief(self, face: float) -> Relief:
+        part = self.relief_height / self.tips.height
+        begin = face - part * (face - self.pitch_angle)
+        return Relief(amount=self.relief / self.ends.outer, begin=begin, power=self.relief_power)
+
+    def _crown(self, v: float) -> float:
+        """Angle by which each flank is turned into the tooth, about the axis."""
+        s = self.pitch_distance(v)
+        inner, outer = self.ends.inner, self.ends.outer
+        lowered = self.crowning * (2.0 * (s - (inner + outer) / 2.0) / (outer - inner)) ** 2
+        return float(lowered / (s * np.sin(self.pitch_angle) * np.cos(self.pressure_angle)))
+
+    @property
+    def varies(self) -> bool:
+        """Whether the tooth looks different from level to level."""
+        return bool(self.crowning or self.tips.offset or self.roots.offset)
+
+    @cached_property
+    def outer(self) -> BevelTooth:
+        return self.tooth(self.level("outer"))
+
+    @cached_property
+    def mean(self) -> BevelTooth:
+        return self.tooth(self.level("mean"))
+
+    @cached_property
+    def inner(self) -> BevelTooth:
+        return self.tooth(self.level("inner"))
+
+    @property
+    def looked_at(self) -> dict[str, BevelTooth]:
+        """The teeth to be looked at for what is wrong with them, by where they are."""
+        if not self.varies:
+            return {"outer": self.outer}
+        return {"outer": self.outer, "mean": self.mean, "inner": self.inner}
+
+    @property
+    def least_root_angle(self) -> float:
+        """Least polar angle of the roots."""
+        return min(tooth.root_angle for tooth in self.looked_at.values())
+
+    def section(self, hole_angle: float | None = None) -> SphericalSection:
+        """The gear's section, full or to a hole of a polar angle; it varies where the teeth do."""
+        if not self.varies:
+            return self.outer.section(hole_angle)
+        return varying_section(lambda v: self.tooth(v).section(hole_angle), self.level("inner"), self.level("outer"))
