@@ -113,6 +113,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
     "bevel pair": {
         "16/20 straight": README_PAIR,
         "16/20 spiral": {**README_PAIR, **_SPIRAL},
+        "20/40 Gleason": {"teeth": (20, 40), "module": 3.0, "face_width": 20.0, "standard": "gleason-straight"},
         "Σ 60°, spiral left, bored": {
             "teeth": (18, 27),
             "module": 3.0,

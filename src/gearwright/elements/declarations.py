@@ -93,6 +93,24 @@ ROOT = Parameter(
     kind="choice",
     choices=("radial",),
 )
+BEVEL_STANDARD = Parameter(
+    meaning="sizing system that settles heights and thicknesses at the outer end; explicit takes them as given",
+    kind="choice",
+    choices=("explicit", "equal-addendum", "gleason-straight", "gleason-spiral", "iso-23509"),
+)
+BEVEL_SHIFT = Parameter(
+    meaning="profile shift in modules, + of the pinion and - of the gear: long and short addenda; for iso-23509 in"
+    " mean normal modules, and what it suggests if not given",
+    symbol="x",
+    above=-1,
+    below=1,
+)
+THICKNESS_MODIFICATION = Parameter(
+    meaning="thickness modification in modules: the pinion's teeth are thicker by twice as much, the gear's thinner",
+    symbol="x_s",
+    above=-0.5,
+    below=0.5,
+)
 BEVEL_ENDS = Parameter(meaning="end faces: spheres about the apex", kind="choice", choices=("spherical",))
 SWEEP_LENGTH = Parameter(meaning="length of a straight sweep along z", unit="length", symbol="L", above=0)
 SWEEP_ANGLE = Parameter(

@@ -92,11 +92,7 @@ class BevelGear(Element):
     def _check_blank(self, problems: Problems) -> None:
         unit = self.length_unit
         if self.inner_distance <= _LEAST_INNER * self.cone_distance:
-            problems.add(
-                "face_width",
-                f"more than the cone distance, {self.cone_distance:.2f} {unit}; 0.3 × cone distance "
-                f"({0.3 * self.cone_distance:.3g} {unit}) is usual, 0.35 × the most",
-            )
+            problems.add("face_width", refusals.wide_face(self.cone_distance, unit))
         if self.root_angle <= 0.0:
             limit = self.cone_distance * np.tan(self.pitch_cone_angle)
             problems.add("dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")

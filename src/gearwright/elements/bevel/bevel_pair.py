@@ -10,15 +10,22 @@ import numpy as np
 from ...arrays import Array
 from ...parameters import Problems, Size, declared, member_value, rounded_down
 from .. import declarations as d
-from .. import remarks
+from .. import refusals, remarks
 from ..element import module_in, require_angle_of_trace, require_one_pitch
 from ..pair import Pair
+from ..standards.bevels.design import BevelDesign
+from ..standards.bevels.proportions import Pair as Proportions
 from .bevel_gear import BevelGear
 from .meshing import contact_ratio, interference_limit, meshing_placements
 from .pitch_cone import pitch_cone_angle, require_cone
+from .sizing import EXPLICIT, SHIFTED, SYSTEMS, require_standard, standard_proportions, unbuilt_taper
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
 _OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
+_OF_THE_STANDARD = (
+    *("standard", "profile_shift", "thickness_modification"),
+    *("face_width", "pressure_angle", "trace", "spiral_angle"),
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +33,8 @@ class BevelPair(Pair):
     """A bevel pinion and gear on intersecting axes, pinion first.
 
     Sizing is explicit, as Al-Daccak 1989 has it: working depth (default two modules), whole depth
-    (default 2.25 modules) and the gear's addendum (default half the working depth), at the outer end.
+    (default 2.25 modules) and the gear's addendum (default half the working depth), at the outer end;
+    or by a standard, which settles these and the thicknesses (elements/standards/bevels).
     Both members share the cone distance; the gear has the other hand. Raises ParameterError with every
     problem of both members and of their engagement.
     """
@@ -36,9 +44,12 @@ class BevelPair(Pair):
     diametral_pitch: float | None = declared(d.DIAMETRAL_PITCH, default=None)
     shaft_angle: float = declared(d.SHAFT_ANGLE, default=90.0)
     face_width: float = declared(d.FACE_WIDTH)
-    working_depth: float | None = declared(d.WORKING_DEPTH, default=None)
-    whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None)
-    gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None)
+    standard: str = declared(d.BEVEL_STANDARD, default="explicit")
+    working_depth: float | None = declared(d.WORKING_DEPTH, default=None, only={"standard": EXPLICIT})
+    whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None, only={"standard": EXPLICIT})
+    gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None, only={"standard": EXPLICIT})
+    profile_shift: float | None = declared(d.BEVEL_SHIFT, default=None, only={"standard": SHIFTED})
+    thickness_modification: float | None = declared(d.THICKNESS_MODIFICATION, default=None, only={"standard": SYSTEMS})
     pressure_angle: float = declared(d.PRESSURE_ANGLE, default=20.0)
     circular_thickness: float | tuple[float, float] | None = declared(
         d.CIRCULAR_THICKNESS, default=None, members="both"
@@ -59,7 +70,8 @@ class BevelPair(Pair):
         computable = (
             problems.counted() and problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
         )
-        if computable and self._check_cones(problems) and self._check_depths(problems):
+        computable = computable and self._check_cones(problems) and self._check_standard(problems)
+        if computable and self._check_depths(problems):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
             problems.add_members(members, settled=("mate_teeth",))
         if problems.sound():
@@ -69,6 +81,16 @@ class BevelPair(Pair):
     def _check_cones(self, problems: Problems) -> bool:
         require_cone(problems, *self._pitch_cone_angles)
         return problems.sound("shaft_angle")
+
+    def _check_standard(self, problems: Problems) -> bool:
+        if self.standard == "explicit":
+            return True
+        if not problems.computable(*_OF_THE_STANDARD):
+            return False
+        require_standard(problems, self.standard, self.spiral_angle)
+        if self.face_width >= self._cone_distance:
+            problems.add("face_width", refusals.wide_face(self._cone_distance, self.length_unit))
+        return problems.sound(*_OF_THE_CONES, *_OF_THE_STANDARD)
 
     def _check_depths(self, problems: Problems) -> bool:
         unit = self.length_unit
@@ -92,7 +114,7 @@ class BevelPair(Pair):
             if member.face_angle > limit + 1e-12:
                 most = member.cone_distance * np.tan(limit - member.pitch_cone_angle)
                 problems.add(
-                    "gear_addendum" if name == "gear" else "working_depth",
+                    "standard" if self._settled else "gear_addendum" if name == "gear" else "working_depth",
                     f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, "
                     f"would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
                     "(more teeth or a larger pressure angle allow more)",
@@ -110,16 +132,47 @@ class BevelPair(Pair):
     def _module(self) -> float:
         return module_in(self.length_unit, self.module, self.diametral_pitch)
 
+    @cached_property
+    def _settled(self) -> Proportions | None:
+        """What a standard settles; None where sizes are explicit. The pressure angle is the transverse one."""
+        if self.standard == "explicit":
+            return None
+        spiral = np.radians(self.spiral_angle)
+        design = BevelDesign(
+            teeth=self.teeth,
+            module=self._module,
+            shaft_angle=float(np.radians(self.shaft_angle)),
+            face_width=self.face_width,
+            pressure_angle=float(np.arctan(np.tan(np.radians(self.pressure_angle)) * np.cos(spiral))),
+            spiral_angle=float(spiral),
+        )
+        return standard_proportions(
+            self.standard,
+            design,
+            profile_shift=self.profile_shift,
+            thickness_modification=self.thickness_modification or 0.0,
+        )
+
+    @property
+    def _cone_distance(self) -> float:
+        return float(self.teeth[0] * self._module / (2.0 * np.sin(self._pitch_cone_angles[0])))
+
     @property
     def _working_depth(self) -> float:
+        if self._settled:
+            return self._settled[0].addendum + self._settled[1].addendum
         return 2.0 * self._module if self.working_depth is None else self.working_depth
 
     @property
     def _whole_depth(self) -> float:
+        if self._settled:
+            return self._settled[0].depth
         return 2.25 * self._module if self.whole_depth is None else self.whole_depth
 
     @property
     def _gear_addendum(self) -> float:
+        if self._settled:
+            return self._settled[1].addendum
         return self._working_depth / 2.0 if self.gear_addendum is None else self.gear_addendum
 
     @cached_property
@@ -130,6 +183,9 @@ class BevelPair(Pair):
 
     def _member(self, member: int) -> BevelGear:
         addendum = (self._working_depth - self._gear_addendum, self._gear_addendum)[member]
+        thickness = member_value(self.circular_thickness, member)
+        if thickness is None and self._settled:
+            thickness = self._settled[member].thickness
         other_hand = "left" if self.hand == "right" else "right"
         return BevelGear(
             teeth=self.teeth[member],
@@ -141,7 +197,7 @@ class BevelPair(Pair):
             addendum=addendum,
             dedendum=self._whole_depth - addendum,
             pressure_angle=self.pressure_angle,
-            circular_thickness=member_value(self.circular_thickness, member),
+            circular_thickness=thickness,
             backlash=self.backlash,
             bore=member_value(self.bore, member),
             trace=self.trace,
@@ -165,8 +221,10 @@ class BevelPair(Pair):
     @property
     def remarks(self) -> list[str]:
         """What is unusual about the pair, though it can be built."""
-        unit = self.length_unit
+        unit, built = self.length_unit, (self.pinion, self.gear)
+        angles = (built[0].face_angle - built[0].pitch_cone_angle, built[1].face_angle - built[1].pitch_cone_angle)
         return [
+            *(unbuilt_taper(self.standard, self._settled, angles) if self._settled else []),
             *remarks.wide_face(self.face_width, self.pinion.cone_distance, unit),
             *remarks.unusual_depth("working_depth", self._working_depth, self._module, unit, 2),
             *remarks.low_contact_ratio(contact_ratio(self.pinion.tooth, self.gear.tooth)),
