@@ -141,6 +141,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "cutter_radius": 50.0,
             "hand": "left",
         },
+        "20/40 Gleason": {"teeth": (20, 40), "module": 3.0, "face_width": 20.0, "standard": "gleason-straight"},
         "Σ 60°, spiral left, bored": {
             "teeth": (18, 27),
             "module": 3.0,

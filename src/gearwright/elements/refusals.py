@@ -48,6 +48,14 @@ def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
     )
 
 
+def wide_face(cone_distance: float, unit: str) -> str:
+    """A bevel gear's face reaches the apex."""
+    return (
+        f"more than the cone distance, {cone_distance:.2f} {unit}; 0.3 × cone distance "
+        f"({0.3 * cone_distance:.3g} {unit}) is usual, 0.35 × the most"
+    )
+
+
 def lost_hole(limit: float, unit: str) -> str:
     """A hole is lost in the rounding of what is around it."""
     least = f"at least {rounded_up(limit)} {unit}"

@@ -85,6 +85,10 @@ class Problems:
         """
         return all(self._declared[name].computable(getattr(self._element, name)) for name in names)
 
+    def has(self, name: str) -> bool:
+        """Whether the element declares a parameter of this name."""
+        return name in self._declared
+
     def counted(self) -> bool:
         """Whether every parameter has as many values as it should."""
         return not any(d.miscounted(getattr(self._element, name)) for name, d in self._declared.items())

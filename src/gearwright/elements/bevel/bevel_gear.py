@@ -2,48 +2,49 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
-from ...boundary.gluing import Joint
-from ...curves.arc import Arc
-from ...curves.line import Line
 from ...curves.traces.trace import Trace
-from ...motions.ends import between
-from ...motions.radial import Radial
-from ...motions.revolution import FULL_TURN, Revolution
-from ...parameters import Problems, Size, declared, rounded_down
-from ...sections.loop import Loop
-from ...sections.plane import Section
-from ...solids.composite import Composite
+from ...errors import ParameterError
+from ...parameters import Problems, Size, declared
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
-from .. import refusals, remarks
+from .. import remarks
+from ..blanks.blank import Blank
 from ..element import Element, module_in, require_one_pitch
-from .pitch_cone import pitch_cone_angle, require_cone
+from ..standards.bevels.design import BevelDesign
+from ..standards.bevels.member import BevelMember
+from ..standards.bevels.proportions import Proportions
+from .bevel_checks import check_body, check_cone, check_face, check_given, check_teeth
+from .bevel_sizes import bevel_sizes
+from .body import BevelBody
+from .depth_line import DepthLine
+from .pitch_cone import pitch_cone_angle
+from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, add_refusals, explicit, taper_of
 from .spiral import HOBBED, MILLED, spiral_of
-from .spiral_checks import require_reach, require_spiral
+from .spiral_checks import require_spiral
+from .teeth import BevelTeeth
 from .tooth import BevelTooth
+from .tooth_ends import ToothEnds
 
-_OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
-_LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
-_OF_THE_BLANK = ("face_width", "addendum", "dedendum")
-_OF_THE_TOOTH = ("addendum", "dedendum", "pressure_angle", "circular_thickness", "backlash")
+_USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
+_RELIEF_HEIGHT = 0.6  # modules
 
 
 @dataclass(frozen=True, kw_only=True)
 class BevelGear(Element):
-    """A bevel gear with exact spherical-involute teeth between two spheres about its apex.
+    """A bevel gear: teeth of exact form on the sphere, along any tooth trace, on a body with plane faces.
 
     Frame: apex at the origin, body on +z, first tooth centred on +x at the mean cone distance.
-    The pitch cone is given by its half-angle, or by the mate's teeth and the shaft angle.
-    Sizing is explicit: addendum (default one module), dedendum (default 1.25 modules) and circular
-    thickness (default half the pitch) at the outer end. Raises ParameterError with every problem found.
-    Source: Al-Daccak 1989, ch. 3, with the base cone sin γ_b = sin γ cos a that makes pairs conjugate.
+    The pitch cone is given by its half-angle, or by the mate's teeth and the shaft angle. Sizing is explicit: addendum
+    (default one module), dedendum (default 1.25 modules) and circular thickness (default half the pitch) at the outer
+    end; or by a standard, beside a mate. Raises ParameterError with every problem found.
+    Source: Al-Daccak 1989, ch. 3, with the base cone sin γ_b = sin γ cos a that makes pairs conjugate; ISO 23509.
     """
 
     teeth: int = declared(d.TEETH)
@@ -53,83 +54,63 @@ class BevelGear(Element):
     shaft_angle: float | None = declared(d.SHAFT_ANGLE, default=None)
     pitch_angle: float | None = declared(d.PITCH_ANGLE, default=None)
     face_width: float = declared(d.FACE_WIDTH)
-    addendum: float | None = declared(d.ADDENDUM, default=None)
-    dedendum: float | None = declared(d.DEDENDUM, default=None)
-    pressure_angle: float = declared(d.PRESSURE_ANGLE, default=20.0)
+    standard: str = declared(d.BEVEL_STANDARD, default="explicit")
+    taper: str | None = declared(d.DEPTH_TAPER, default=None, only={"standard": TAPERED})
+    iso_method: int | None = declared(d.ISO_METHOD, default=None, only={"standard": ISO})
+    profile_shift: float | None = declared(d.BEVEL_SHIFT, default=None, only={"standard": SHIFTED})
+    thickness_modification: float | None = declared(d.THICKNESS_MODIFICATION, default=None, only={"standard": SYSTEMS})
+    addendum: float | None = declared(d.ADDENDUM, default=None, only={"standard": EXPLICIT})
+    dedendum: float | None = declared(d.DEDENDUM, default=None, only={"standard": EXPLICIT})
+    addendum_angle: float | None = declared(d.ADDENDUM_ANGLE, default=None, only={"standard": EXPLICIT})
+    dedendum_angle: float | None = declared(d.DEDENDUM_ANGLE, default=None, only={"standard": EXPLICIT})
+    pressure_angle: float = declared(d.BEVEL_PRESSURE_ANGLE, default=20.0)
+    tooth_form: str = declared(d.TOOTH_FORM, default="involute")
     circular_thickness: float | None = declared(d.CIRCULAR_THICKNESS, default=None)
     backlash: float = declared(d.BACKLASH, default=0.0)
-    bore: float | None = declared(d.BORE, default=None)
+    normal_backlash: float | None = declared(d.NORMAL_BACKLASH, default=None)
+    root: str = declared(d.ROOT, default="fillet")
+    crown_tip_radius: float | None = declared(d.CROWN_TIP_RADIUS, default=None, only={"root": ("fillet",)})
+    tip_relief: float = declared(d.TIP_RELIEF, default=0.0)
+    tip_relief_height: float | None = declared(d.BEVEL_TIP_RELIEF_HEIGHT, default=None)
+    tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
+    crowning: float = declared(d.CROWNING, default=0.0)
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
     cutter_radius: float | None = declared(d.CUTTER_RADIUS, default=None, only={"trace": MILLED})
     blade_groups: int | None = declared(d.BLADE_GROUPS, default=None, only={"trace": HOBBED})
     hand: str = declared(d.HAND, default="right")
-    root: str = declared(d.ROOT, default="radial")
-    ends: str = declared(d.BEVEL_ENDS, default="spherical")
+    ends: str = declared(d.BEVEL_ENDS, default="conical")
+    bore: float | None = declared(d.BORE, default=None)
+    keyway: str | None = declared(d.KEYWAY, default=None)
+    keyway_width: float | None = declared(d.KEYWAY_WIDTH, default=None)
+    keyway_depth: float | None = declared(d.KEYWAY_DEPTH, default=None)
+    mounting_distance: float | None = declared(d.MOUNTING_DISTANCE, default=None)
+    hub_diameter: float | None = declared(d.HUB_DIAMETER, default=None)
+    hub_length: float | None = declared(d.BEVEL_HUB_LENGTH, default=None)
+    rim_diameter: float | None = declared(d.RIM_DIAMETER, default=None)
+    web_thickness: float | None = declared(d.BEVEL_WEB_THICKNESS, default=None)
+    web_holes: int | None = declared(d.WEB_HOLES, default=None)
+    web_hole_diameter: float | None = declared(d.WEB_HOLE_DIAMETER, default=None)
+    web_hole_circle: float | None = declared(d.WEB_HOLE_CIRCLE, default=None)
     length_unit: str = declared(d.LENGTH_UNIT, default="mm")
 
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        self._check_cone(problems)
-        if problems.computable(*_OF_THE_CONE, *_OF_THE_BLANK) and problems.sound(
-            "module", "pitch_angle", "shaft_angle"
-        ):
-            self._check_blank(problems)
-        if problems.computable(*_OF_THE_CONE, *_OF_THE_TOOTH) and problems.sound(
-            "module", "pitch_angle", "shaft_angle", "dedendum"
-        ):
-            self._check_tooth(problems)
+        check_cone(problems, self)
+        check_given(problems, self)
+        if check_face(problems, self) and self._is_sized(problems):
+            check_teeth(problems, self)
+            check_body(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
 
-    def _check_cone(self, problems: Problems) -> None:
-        if (self.pitch_angle is None) == (self.mate_teeth is None):
-            problems.add(
-                "pitch_angle", "give either the pitch angle, or mate_teeth (and a shaft angle if it is not 90°)"
-            )
-        elif self.pitch_angle is not None and self.shaft_angle is not None:
-            problems.add("shaft_angle", "goes with mate_teeth; a pitch angle alone settles the cone")
-        elif problems.computable(*_OF_THE_CONE) and problems.sound("module"):
-            require_cone(problems, self.pitch_cone_angle)
-
-    def _check_blank(self, problems: Problems) -> None:
-        unit = self.length_unit
-        if self.inner_distance <= _LEAST_INNER * self.cone_distance:
-            problems.add(
-                "face_width",
-                f"more than the cone distance, {self.cone_distance:.2f} {unit}; 0.3 × cone distance "
-                f"({0.3 * self.cone_distance:.3g} {unit}) is usual, 0.35 × the most",
-            )
-        require_reach(problems, spiral_of(self), unit)
-        if self.root_angle <= 0.0:
-            limit = self.cone_distance * np.tan(self.pitch_cone_angle)
-            problems.add("dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")
-        elif self.bore is not None and problems.sound("face_width", "bore"):
-            limit = 2.0 * self.inner_distance * np.sin(self.root_angle)
-            if self.bore >= limit:
-                problems.add(
-                    "bore",
-                    refusals.bore_in_roots("root diameter at the small end", limit, unit),
-                )
-
-    def _check_tooth(self, problems: Problems) -> None:
-        tooth, unit = self.tooth, self.length_unit
-        if tooth.thickness <= 0.0:
-            problems.add("backlash", refusals.no_tooth_left(2.0 * self._nominal_thickness, unit))
-            return
-        if tooth.flank_start >= self.pitch_cone_angle:
-            problems.add("pressure_angle", refusals.no_involute("cone"))
-            return
-        if tooth.face_angle >= tooth.pointed_angle:
-            limit = self.cone_distance * np.tan(tooth.pointed_angle - self.pitch_cone_angle)
-            problems.add("addendum", refusals.pointed_tooth(limit, unit))
-        if tooth.root_space <= 0.0:
-            limit = self._nominal_thickness + tooth.root_space * self.pitch_radius
-            problems.add(
-                "circular_thickness",
-                refusals.meeting_teeth(limit, unit),
-            )
+    def _is_sized(self, problems: Problems) -> bool:
+        try:
+            return bool(self.proportions)
+        except ParameterError as error:
+            add_refusals(problems, error, "standard")
+            return False
 
     @cached_property
     def outer_module(self) -> float:
@@ -145,13 +126,11 @@ class BevelGear(Element):
         """γ, radians: atan2(sin Σ, z₂/z₁ + cos Σ) where it follows from the mate."""
         if self.pitch_angle is not None:
             return float(np.radians(self.pitch_angle))
-        shaft = np.radians(90.0 if self.shaft_angle is None else self.shaft_angle)
-        return pitch_cone_angle(self.teeth, self.mate_teeth or self.teeth, shaft)
+        return pitch_cone_angle(self.teeth, self.mate_teeth or self.teeth, self._shaft_angle)
 
     @property
-    def base_cone_angle(self) -> float:
-        """γ_b, radians: sin γ_b = sin γ cos a (eq. G2)."""
-        return self.tooth.base_cone_angle
+    def _shaft_angle(self) -> float:
+        return float(np.radians(90.0 if self.shaft_angle is None else self.shaft_angle))
 
     @property
     def cone_distance(self) -> float:
@@ -166,48 +145,149 @@ class BevelGear(Element):
     def mean_distance(self) -> float:
         return self.cone_distance - self.face_width / 2.0
 
-    @property
-    def outer_addendum(self) -> float:
-        return self.outer_module if self.addendum is None else self.addendum
+    @cached_property
+    def transverse_pressure_angle(self) -> float:
+        """a_t, radians; with a standard tan a_t = tan a_n/cos β_m."""
+        angle = float(np.radians(self.pressure_angle))
+        if self.standard == "explicit":
+            return angle
+        return float(np.arctan(np.tan(angle) / np.cos(np.radians(self.spiral_angle))))
+
+    @cached_property
+    def normal_pressure_angle(self) -> float:
+        """a_n at mid-face, radians: tan a_n = tan a_t cos β_m."""
+        return float(np.arctan(np.tan(self.transverse_pressure_angle) * np.cos(np.radians(self.spiral_angle))))
+
+    @cached_property
+    def proportions(self) -> Proportions:
+        """Heights, their angles and the thickness before backlash, as given or as the standard has them."""
+        if self.standard != "explicit":
+            found = self._sizing.proportions(self._design)[0]
+            return found if self.circular_thickness is None else replace(found, thickness=self.circular_thickness)
+        module = self.outer_module
+        found = explicit(
+            module if self.addendum is None else self.addendum,
+            1.25 * module if self.dedendum is None else self.dedendum,
+            np.pi * module / 2.0 if self.circular_thickness is None else self.circular_thickness,
+            self.cone_distance,
+            taper_of(self.taper),
+        )
+        given = {"addendum_angle": self.addendum_angle, "dedendum_angle": self.dedendum_angle}
+        return replace(found, **{name: float(np.radians(angle)) for name, angle in given.items() if angle is not None})
 
     @property
-    def outer_dedendum(self) -> float:
-        return 1.25 * self.outer_module if self.dedendum is None else self.dedendum
+    def _sizing(self) -> Sizing:
+        return Sizing.of(self)
 
     @property
-    def face_angle(self) -> float:
-        """δ_a, radians: pitch angle and addendum angle atan(h_a/R_e)."""
-        return float(self.pitch_cone_angle + np.arctan(self.outer_addendum / self.cone_distance))
+    def _design(self) -> BevelDesign:
+        return BevelDesign(
+            teeth=(self.teeth, self.mate_teeth or self.teeth),
+            module=self.outer_module,
+            shaft_angle=self._shaft_angle,
+            face_width=self.face_width,
+            pressure_angle=float(np.radians(self.pressure_angle)),
+            spiral_angle=float(np.radians(self.spiral_angle)),
+            cutter_radius=self.cutter_radius,
+            blade_groups=self.blade_groups,
+        )
 
     @property
-    def root_angle(self) -> float:
-        """δ_f, radians: pitch angle less dedendum angle atan(h_f/R_e)."""
-        return float(self.pitch_cone_angle - np.arctan(self.outer_dedendum / self.cone_distance))
+    def member(self) -> BevelMember:
+        """The gear in numbers, as sizing systems have it; its thickness without backlash."""
+        return BevelMember(
+            teeth=self.teeth,
+            module=self.outer_module,
+            pitch_angle=self.pitch_cone_angle,
+            face_width=self.face_width,
+            pressure_angle=self.normal_pressure_angle,
+            spiral_angle=float(np.radians(self.spiral_angle)),
+            proportions=replace(self.proportions, thickness=self.outer_thickness),
+        )
 
     @property
-    def _nominal_thickness(self) -> float:
-        return np.pi * self.outer_module / 2.0 if self.circular_thickness is None else self.circular_thickness
+    def circular_backlash(self) -> float:
+        """j_t on the outer pitch circle; of a normal one j_t = j_n/(cos a_n cos β_e) = j_n √(1/cos²β_e + tan²a_t)."""
+        if self.normal_backlash is None:
+            return self.backlash
+        spiral = float(self.tooth_trace.spiral_angle(self.cone_distance))
+        return self.normal_backlash * float(np.hypot(1.0 / np.cos(spiral), np.tan(self.transverse_pressure_angle)))
 
     @property
     def outer_thickness(self) -> float:
         """Circular thickness on the outer pitch circle, half the backlash taken off."""
-        return self._nominal_thickness - self.backlash / 2.0
+        return self.proportions.thickness - self.circular_backlash / 2.0
 
     @cached_property
-    def tooth(self) -> BevelTooth:
-        return BevelTooth(
+    def tooth_ends(self) -> ToothEnds:
+        kind: Literal["conical", "spherical", "flat"] = (
+            "conical" if self.ends == "conical" else "flat" if self.ends == "flat" else "spherical"
+        )
+        return ToothEnds(
+            kind=kind, pitch_angle=self.pitch_cone_angle, inner=self.inner_distance, outer=self.cone_distance
+        )
+
+    @cached_property
+    def bevel_teeth(self) -> BevelTeeth:
+        """The teeth in numbers."""
+        sharp = self._sharp_teeth
+        if self.root != "fillet":
+            return sharp
+        return replace(sharp, tip_radius=self.generating_tip_radius)
+
+    @property
+    def generating_tip_radius(self) -> float:
+        """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
+        if self.crown_tip_radius is not None:
+            return self.crown_tip_radius
+        usual, largest = _USUAL_TIP * self.outer_module, self._sharp_teeth.largest_tip_radius
+        return min(usual, largest) if largest > 0.0 else usual
+
+    @cached_property
+    def _sharp_teeth(self) -> BevelTeeth:
+        shape, distance = self.proportions, self.cone_distance
+        height = _RELIEF_HEIGHT * self.outer_module if self.tip_relief_height is None else self.tip_relief_height
+        return BevelTeeth(
             teeth=self.teeth,
             pitch_angle=self.pitch_cone_angle,
-            pressure_angle=float(np.radians(self.pressure_angle)),
-            face_angle=self.face_angle,
-            root_angle=self.root_angle,
+            pressure_angle=self.transverse_pressure_angle,
+            form="octoid" if self.tooth_form == "octoid" else "involute",
+            ends=self.tooth_ends,
+            tips=DepthLine(outer=distance, height=shape.addendum, angle=shape.addendum_angle),
+            roots=DepthLine(outer=distance, height=-shape.dedendum, angle=-shape.dedendum_angle),
             thickness=self.outer_thickness / self.pitch_radius,
+            relief=self.tip_relief,
+            relief_height=height,
+            relief_power=1 if self.tip_relief_form == "linear" else 2,
+            crowning=self.crowning,
         )
+
+    @property
+    def tooth(self) -> BevelTooth:
+        """The tooth at the outer end, on the sphere."""
+        return self.bevel_teeth.outer
 
     @property
     def tooth_trace(self) -> Trace:
         """The turn of the section along the face; positive for a right-hand spiral."""
         return spiral_of(self).tooth_trace
+
+    @property
+    def blank(self) -> Blank:
+        """What is inside the teeth; where its hub is, `body` says."""
+        names = [name for name in Blank.names() if name != "hub_offset"]
+        return Blank(**{name: getattr(self, name) for name in names})
+
+    @cached_property
+    def body(self) -> BevelBody:
+        """What carries the teeth."""
+        return BevelBody(
+            ends=self.tooth_ends,
+            root_angle=self.bevel_teeth.least_root_angle,
+            depth=self.proportions.depth,
+            blank=self.blank,
+            mounting_distance=self.mounting_distance,
+        )
 
     @property
     def upward(self) -> Literal[1, -1]:
@@ -219,7 +299,7 @@ class BevelGear(Element):
         unit = self.length_unit
         return [
             *remarks.wide_face(self.face_width, self.cone_distance, unit),
-            *remarks.unusual_depth("addendum", self.outer_addendum, self.outer_module, unit, 1),
+            *remarks.unusual_depth("addendum", self.proportions.addendum, self.outer_module, unit, 1),
         ]
 
     @property
@@ -227,73 +307,16 @@ class BevelGear(Element):
         spiral = "" if self.trace == "straight" else f", {self.hand}-hand spiral {self.spiral_angle:g}°"
         return f"z = {self.teeth}, δ = {np.degrees(self.pitch_cone_angle):.4g}°{spiral}"
 
+    def ring(self, hole_angle: float | None) -> Solid:
+        """The teeth and what is below them, down to a cone of a polar angle about the apex."""
+        ends = self.tooth_ends
+        return Swept(section=self.bevel_teeth.section(hole_angle), motion=ends.motion(self.tooth_trace), ends=ends.ends)
+
     @cached_property
     def solid(self) -> Solid:
-        """The spherical section swept radially; with a bore, the toothed ring and a revolved collar glued in it."""
-        motion, ends = Radial(trace=self.tooth_trace), between(self.inner_distance, self.cone_distance)
-        if self.bore is None:
-            return Swept(section=self.tooth.section(), motion=motion, ends=ends)
-        bore_angle = float(np.arcsin(self.bore / 2.0 / self.inner_distance))
-        hub_angle = (bore_angle + self.root_angle) / 2.0
-        ring = Swept(section=self.tooth.section(hub_angle), motion=motion, ends=ends)
-        collar = _collar(self.bore / 2.0, hub_angle, self.inner_distance, self.cone_distance)
-        joint = Joint(first=0, first_faces=("loop 2.1",), second=1, second_faces=("loop 1.2",))
-        return Composite(pieces=(ring, collar), joints=(joint,))
+        """The spherical section swept radially, and a body of revolution glued in it."""
+        return self.body.solid(self.ring)
 
     def sizes(self) -> dict[str, Size]:
         """Sizes of this gear alone, at its outer end unless they say otherwise."""
-        length, angle = self._length_sizes(), self._angle_sizes()
-        return {
-            **{
-                name: Size(float(value), "length", symbol, meaning) for name, (value, symbol, meaning) in length.items()
-            },
-            **{
-                name: Size(float(np.degrees(value)), "angle", symbol, meaning)
-                for name, (value, symbol, meaning) in angle.items()
-            },
-        }
-
-    def _length_sizes(self) -> dict[str, tuple[float, str, str]]:
-        widest = min(self.face_angle, np.pi / 2.0)
-        tip = self.tooth.thickness_at(self.face_angle) * np.sin(self.face_angle) * self.cone_distance
-        return {
-            "pitch_diameter": (2.0 * self.pitch_radius, "d_e", "outer pitch diameter"),
-            "outside_diameter": (2.0 * self.cone_distance * np.sin(widest), "d_ae", "largest diameter of the body"),
-            "root_diameter": (2.0 * self.cone_distance * np.sin(self.root_angle), "d_fe", "outer root diameter"),
-            "cone_distance": (self.cone_distance, "R_e", "outer cone distance"),
-            "mean_cone_distance": (self.mean_distance, "R_m", "mean cone distance"),
-            "inner_cone_distance": (self.inner_distance, "R_i", "inner cone distance"),
-            "addendum": (self.outer_addendum, "h_ae", "outer addendum"),
-            "dedendum": (self.outer_dedendum, "h_fe", "outer dedendum"),
-            "circular_thickness": (self.outer_thickness, "s_e", "outer circular thickness, backlash taken off"),
-            "tip_thickness": (tip, "s_ae", "outer circular thickness at the tip"),
-        }
-
-    def _angle_sizes(self) -> dict[str, tuple[float, str, str]]:
-        return {
-            "pitch_angle": (self.pitch_cone_angle, "δ", "half-angle of the pitch cone"),
-            "face_angle": (self.face_angle, "δ_a", "half-angle of the face cone"),
-            "root_angle": (self.root_angle, "δ_f", "half-angle of the root cone"),
-            "base_angle": (self.base_cone_angle, "δ_b", "half-angle of the base cone"),
-            "addendum_angle": (self.face_angle - self.pitch_cone_angle, "θ_a", "addendum angle"),
-            "dedendum_angle": (self.pitch_cone_angle - self.root_angle, "θ_f", "dedendum angle"),
-            **spiral_of(self).sizes(),
-        }
-
-
-def _collar(bore_radius: float, hub_angle: float, inner: float, outer: float) -> Swept:
-    """The ring between a bore and a cone about +z, between two spheres about the apex: a revolved section."""
-    top, bottom = np.sqrt(outer**2 - bore_radius**2), np.sqrt(inner**2 - bore_radius**2)
-    cone = np.pi / 2.0 - hub_angle  # polar angle from +z, as an angle from the radius axis
-
-    def on_cone(distance: float) -> tuple[float, float]:
-        return (float(distance * np.cos(cone)), float(distance * np.sin(cone)))
-
-    curves = (
-        Arc(radius=inner, interval=(float(np.arctan2(bottom, bore_radius)), cone)),
-        Line(first=on_cone(inner), last=on_cone(outer)),
-        Arc(radius=outer, interval=(cone, float(np.arctan2(top, bore_radius)))),
-        Line(first=(bore_radius, float(top)), last=(bore_radius, float(bottom))),
-    )
-    section = Section(loops=(Loop(curves=curves),))
-    return Swept(section=section, motion=Revolution(), ends=between(-FULL_TURN, 0.0))
+        return bevel_sizes(self)

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import numpy as np
 
 from ...arrays import Array
-from ...parameters import Problems, Size, declared, member_value, rounded_down
+from ...errors import ParameterError
+from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import remarks
 from ..element import module_in, require_one_pitch
 from ..pair import Pair
+from ..standards.bevels.design import BevelDesign
+from ..standards.bevels.proportions import Pair as Proportions
 from .bevel_gear import BevelGear
-from .meshing import contact_ratio, interference_limit, meshing_placements
-from .pitch_cone import pitch_cone_angle, require_cone
+from .meshing import contact_ratio, meshing_placements
+from .pair_checks import check_engagement, check_pair
+from .pair_sizes import bevel_pair_sizes
+from .pitch_cone import pitch_cone_angle
+from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, add_refusals, explicit, taper_of
 from .spiral import HOBBED, MILLED
 from .spiral_checks import require_spiral
+from .tooth import BevelTooth
 
-_OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
-_OF_THE_DEPTHS = ("working_depth", "whole_depth", "gear_addendum")
+_FROM_THE_PAIR = ("addendum_angle", "dedendum_angle", "pitch_angle", "mate_teeth")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,7 +34,8 @@ class BevelPair(Pair):
     """A bevel pinion and gear on intersecting axes, pinion first.
 
     Sizing is explicit, as Al-Daccak 1989 has it: working depth (default two modules), whole depth
-    (default 2.25 modules) and the gear's addendum (default half the working depth), at the outer end.
+    (default 2.25 modules) and the gear's addendum (default half the working depth), at the outer end;
+    or by a standard, which settles these, the thicknesses and the angles of tip and root cones.
     Both members share the cone distance; the gear has the other hand. Raises ParameterError with every
     problem of both members and of their engagement.
     """
@@ -38,125 +45,172 @@ class BevelPair(Pair):
     diametral_pitch: float | None = declared(d.DIAMETRAL_PITCH, default=None)
     shaft_angle: float = declared(d.SHAFT_ANGLE, default=90.0)
     face_width: float = declared(d.FACE_WIDTH)
-    working_depth: float | None = declared(d.WORKING_DEPTH, default=None)
-    whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None)
-    gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None)
-    pressure_angle: float = declared(d.PRESSURE_ANGLE, default=20.0)
+    standard: str = declared(d.BEVEL_STANDARD, default="explicit")
+    taper: str | None = declared(d.DEPTH_TAPER, default=None, only={"standard": TAPERED})
+    iso_method: int | None = declared(d.ISO_METHOD, default=None, only={"standard": ISO})
+    profile_shift: float | None = declared(d.BEVEL_SHIFT, default=None, only={"standard": SHIFTED})
+    thickness_modification: float | None = declared(d.THICKNESS_MODIFICATION, default=None, only={"standard": SYSTEMS})
+    working_depth: float | None = declared(d.WORKING_DEPTH, default=None, only={"standard": EXPLICIT})
+    whole_depth: float | None = declared(d.WHOLE_DEPTH, default=None, only={"standard": EXPLICIT})
+    gear_addendum: float | None = declared(d.GEAR_ADDENDUM, default=None, only={"standard": EXPLICIT})
+    pressure_angle: float = declared(d.BEVEL_PRESSURE_ANGLE, default=20.0)
+    tooth_form: str | tuple[str, str] = declared(d.TOOTH_FORM, default="involute", members="both")
     circular_thickness: float | tuple[float, float] | None = declared(
         d.CIRCULAR_THICKNESS, default=None, members="both"
     )
     backlash: float = declared(d.BACKLASH, default=0.0)
-    bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
+    normal_backlash: float | None = declared(d.NORMAL_BACKLASH, default=None)
+    root: str | tuple[str, str] = declared(d.ROOT, default="fillet", members="both")
+    crown_tip_radius: float | tuple[float, float] | None = declared(d.CROWN_TIP_RADIUS, default=None, members="both")
+    tip_relief: float | tuple[float, float] = declared(d.TIP_RELIEF, default=0.0, members="both")
+    tip_relief_height: float | tuple[float, float] | None = declared(
+        d.BEVEL_TIP_RELIEF_HEIGHT, default=None, members="both"
+    )
+    tip_relief_form: str | tuple[str, str] = declared(d.TIP_RELIEF_FORM, default="linear", members="both")
+    crowning: float | tuple[float, float] = declared(d.CROWNING, default=0.0, members="both")
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
     cutter_radius: float | None = declared(d.CUTTER_RADIUS, default=None, only={"trace": MILLED})
     blade_groups: int | None = declared(d.BLADE_GROUPS, default=None, only={"trace": HOBBED})
     hand: str = declared(d.HAND, default="right")
-    root: str = declared(d.ROOT, default="radial")
-    ends: str = declared(d.BEVEL_ENDS, default="spherical")
+    ends: str | tuple[str, str] = declared(d.BEVEL_ENDS, default="conical", members="both")
+    bore: float | tuple[float, float] | None = declared(d.BORE, default=None, members="both")
+    keyway: str | tuple[str, str] | None = declared(d.KEYWAY, default=None, members="both")
+    keyway_width: float | tuple[float, float] | None = declared(d.KEYWAY_WIDTH, default=None, members="both")
+    keyway_depth: float | tuple[float, float] | None = declared(d.KEYWAY_DEPTH, default=None, members="both")
+    mounting_distance: float | tuple[float, float] | None = declared(d.MOUNTING_DISTANCE, default=None, members="both")
+    hub_diameter: float | tuple[float, float] | None = declared(d.HUB_DIAMETER, default=None, members="both")
+    hub_length: float | tuple[float, float] | None = declared(d.BEVEL_HUB_LENGTH, default=None, members="both")
+    rim_diameter: float | tuple[float, float] | None = declared(d.RIM_DIAMETER, default=None, members="both")
+    web_thickness: float | tuple[float, float] | None = declared(d.BEVEL_WEB_THICKNESS, default=None, members="both")
+    web_holes: int | tuple[int, int] | None = declared(d.WEB_HOLES, default=None, members="both")
+    web_hole_diameter: float | tuple[float, float] | None = declared(d.WEB_HOLE_DIAMETER, default=None, members="both")
+    web_hole_circle: float | tuple[float, float] | None = declared(d.WEB_HOLE_CIRCLE, default=None, members="both")
     length_unit: str = declared(d.LENGTH_UNIT, default="mm")
 
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        computable = (
-            problems.counted() and problems.computable(*_OF_THE_CONES, *_OF_THE_DEPTHS) and problems.sound("module")
-        )
-        if computable and self._check_cones(problems) and self._check_depths(problems):
+        if problems.counted() and check_pair(problems, self) and self._is_sized(problems):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
-            problems.add_members(members, settled=("mate_teeth",))
+            problems.add_members(members, settled=_FROM_THE_PAIR)
         require_spiral(problems, self)
         if problems.sound():
-            self._check_engagement(problems)
+            check_engagement(problems, self)
         problems.raise_any()
 
-    def _check_cones(self, problems: Problems) -> bool:
-        require_cone(problems, *self._pitch_cone_angles)
-        return problems.sound("shaft_angle")
-
-    def _check_depths(self, problems: Problems) -> bool:
-        unit = self.length_unit
-        if self._whole_depth <= self._working_depth:
-            problems.add(
-                "whole_depth",
-                f"must be greater than the working depth, {self._working_depth:.4g} {unit}; "
-                "their difference is the clearance at the root",
-            )
-        if self._gear_addendum >= self._working_depth:
-            problems.add(
-                "gear_addendum",
-                f"less than the working depth, {self._working_depth:.4g} {unit}; the rest is the pinion's addendum",
-            )
-        return problems.sound("whole_depth", "gear_addendum")
-
-    def _check_engagement(self, problems: Problems) -> None:
-        unit, members = self.length_unit, (self.pinion, self.gear)
-        for member, mate, name in zip(members, members[::-1], ("pinion", "gear"), strict=True):
-            limit = interference_limit(member.tooth, mate.tooth)
-            if member.face_angle > limit + 1e-12:
-                most = member.cone_distance * np.tan(limit - member.pitch_cone_angle)
-                problems.add(
-                    "gear_addendum" if name == "gear" else "working_depth",
-                    f"interference: the {name}'s tip, {member.outer_addendum:.4g} {unit} above its pitch cone, "
-                    f"would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
-                    "(more teeth or a larger pressure angle allow more)",
-                )
-        pitch = np.pi * self.pinion.outer_module
-        thickness = self.pinion.outer_thickness + self.gear.outer_thickness
-        if thickness > pitch * (1.0 + 1e-12):
-            problems.add(
-                "circular_thickness",
-                f"interference: the two teeth are together {thickness:.4g} {unit} thick and share a pitch of "
-                f"{pitch:.4g} {unit}; make them thinner",
-            )
+    def _is_sized(self, problems: Problems) -> bool:
+        try:
+            return bool(self.proportions)
+        except ParameterError as error:
+            add_refusals(problems, error, "standard")
+            return False
 
     @property
-    def _module(self) -> float:
+    def outer_module(self) -> float:
+        """m_et, in the length unit."""
         return module_in(self.length_unit, self.module, self.diametral_pitch)
 
     @property
-    def _working_depth(self) -> float:
-        return 2.0 * self._module if self.working_depth is None else self.working_depth
+    def outer_working_depth(self) -> float:
+        """As given, two modules, or what a standard makes it."""
+        if self.standard != "explicit":
+            return sum(one.addendum for one in self.proportions)
+        return 2.0 * self.outer_module if self.working_depth is None else self.working_depth
 
     @property
-    def _whole_depth(self) -> float:
-        return 2.25 * self._module if self.whole_depth is None else self.whole_depth
+    def outer_whole_depth(self) -> float:
+        """As given, 2.25 modules, or what a standard makes it."""
+        if self.standard != "explicit":
+            return self.proportions[0].depth
+        return 2.25 * self.outer_module if self.whole_depth is None else self.whole_depth
 
     @property
-    def _gear_addendum(self) -> float:
-        return self._working_depth / 2.0 if self.gear_addendum is None else self.gear_addendum
+    def explicit_gear_addendum(self) -> float:
+        """As given, or half the working depth."""
+        return self.outer_working_depth / 2.0 if self.gear_addendum is None else self.gear_addendum
 
     @cached_property
-    def _pitch_cone_angles(self) -> tuple[float, float]:
+    def pitch_cone_angles(self) -> tuple[float, float]:
+        """δ₁, δ₂, radians."""
         z1, z2 = self.teeth
-        shaft = np.radians(self.shaft_angle)
+        shaft = float(np.radians(self.shaft_angle))
         return pitch_cone_angle(z1, z2, shaft), pitch_cone_angle(z2, z1, shaft)
 
-    def _member(self, member: int) -> BevelGear:
-        addendum = (self._working_depth - self._gear_addendum, self._gear_addendum)[member]
-        other_hand = "left" if self.hand == "right" else "right"
-        return BevelGear(
-            teeth=self.teeth[member],
-            module=self.module,
-            diametral_pitch=self.diametral_pitch,
-            mate_teeth=self.teeth[1 - member],
-            shaft_angle=self.shaft_angle,
+    @property
+    def cone_distance(self) -> float:
+        """R_e."""
+        return float(self.teeth[0] * self.outer_module / (2.0 * np.sin(self.pitch_cone_angles[0])))
+
+    @cached_property
+    def proportions(self) -> Proportions:
+        """Of both members, their thickness before backlash. Raises ParameterError where a standard has none."""
+        if self.standard != "explicit":
+            return Sizing.of(self).proportions(self._design)
+        second = self.explicit_gear_addendum
+        addenda = (self.outer_working_depth - second, second)
+        thickness, taper = np.pi * self.outer_module / 2.0, taper_of(self.taper)
+        one, other = (
+            explicit(height, self.outer_whole_depth - height, thickness, self.cone_distance, taper)
+            for height in addenda
+        )
+        return one, other
+
+    @property
+    def _design(self) -> BevelDesign:
+        return BevelDesign(
+            teeth=self.teeth,
+            module=self.outer_module,
+            shaft_angle=float(np.radians(self.shaft_angle)),
             face_width=self.face_width,
-            addendum=addendum,
-            dedendum=self._whole_depth - addendum,
-            pressure_angle=self.pressure_angle,
-            circular_thickness=member_value(self.circular_thickness, member),
-            backlash=self.backlash,
-            bore=member_value(self.bore, member),
-            trace=self.trace,
-            spiral_angle=self.spiral_angle,
+            pressure_angle=float(np.radians(self.pressure_angle)),
+            spiral_angle=float(np.radians(self.spiral_angle)),
             cutter_radius=self.cutter_radius,
             blade_groups=self.blade_groups,
-            hand=(self.hand, other_hand)[member],
-            root=self.root,
-            ends=self.ends,
-            length_unit=self.length_unit,
         )
+
+    @property
+    def clearance(self) -> float:
+        """Least from a tip to the mate's root, at the outer and the inner end, length."""
+        width = self.face_width
+        return min(
+            float(roots.dedendum - tips.addendum - s * (np.tan(roots.dedendum_angle) - np.tan(tips.addendum_angle)))
+            for tips, roots in (self.proportions, self.proportions[::-1])
+            for s in (0.0, width)
+        )
+
+    def _member(self, member: int) -> BevelGear:
+        """A member whose sizes are explicit: what a standard settled is handed on."""
+        own = {field.name for field in fields(BevelGear)} & {field.name for field in fields(self)}
+        values = {name: member_value(getattr(self, name), member) for name in own - _SETTLED}
+        shape = self.proportions[member]
+        if self.standard != "explicit":
+            transverse = np.tan(np.radians(self.pressure_angle)) / np.cos(np.radians(self.spiral_angle))
+            values["pressure_angle"] = float(np.degrees(np.arctan(transverse)))
+            values["circular_thickness"] = values["circular_thickness"] or shape.thickness
+        return self._with_fitting_tip(
+            BevelGear(
+                **{
+                    **values,
+                    "mate_teeth": self.teeth[1 - member],
+                    "addendum": shape.addendum,
+                    "dedendum": shape.dedendum,
+                    "addendum_angle": float(np.degrees(shape.addendum_angle)),
+                    "dedendum_angle": float(np.degrees(shape.dedendum_angle)),
+                    "hand": self.hand if member == 0 else {"left": "right", "right": "left"}.get(self.hand, self.hand),
+                }
+            )
+        )
+
+    def _with_fitting_tip(self, gear: BevelGear) -> BevelGear:
+        """The member with a crown tip radius, where none was given, that leaves room in the clearance.
+
+        A corner of the crown gear's tip leaves its flank ρ(1 − sin a) above its own tip.
+        """
+        if gear.root != "fillet" or gear.crown_tip_radius is not None:
+            return gear
+        room = self.clearance / (1.0 - float(np.sin(gear.transverse_pressure_angle)))
+        return gear if gear.generating_tip_radius <= room else replace(gear, crown_tip_radius=max(room, 0.0) or None)
 
     @cached_property
     def pinion(self) -> BevelGear:
@@ -168,14 +222,21 @@ class BevelPair(Pair):
         """The second member, in its own frame."""
         return self._member(1)
 
+    def teeth_on_sphere(self, distance: float) -> tuple[BevelTooth, BevelTooth]:
+        """The teeth of both members at a distance from the apex, as they meet there."""
+        return (
+            self.pinion.bevel_teeth.on_spheres().tooth(distance),
+            self.gear.bevel_teeth.on_spheres().tooth(distance),
+        )
+
     @property
     def remarks(self) -> list[str]:
         """What is unusual about the pair, though it can be built."""
         unit = self.length_unit
         return [
-            *remarks.wide_face(self.face_width, self.pinion.cone_distance, unit),
-            *remarks.unusual_depth("working_depth", self._working_depth, self._module, unit, 2),
-            *remarks.low_contact_ratio(contact_ratio(self.pinion.tooth, self.gear.tooth)),
+            *remarks.wide_face(self.face_width, self.cone_distance, unit),
+            *remarks.unusual_depth("working_depth", self.outer_working_depth, self.outer_module, unit, 2),
+            *remarks.low_contact_ratio(contact_ratio(*self.teeth_on_sphere(self.pinion.mean_distance))),
         ]
 
     @property
@@ -193,17 +254,8 @@ class BevelPair(Pair):
 
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""
-        pinion, gear = self.pinion, self.gear
-        limits = [float(np.degrees(interference_limit(a.tooth, b.tooth))) for a, b in ((pinion, gear), (gear, pinion))]
-        return {
-            "shaft_angle": Size(self.shaft_angle, "angle", "Σ", "angle between the axes"),
-            "gear_ratio": Size(self.teeth[1] / self.teeth[0], "", "u", "teeth of the gear over teeth of the pinion"),
-            "outer_module": Size(pinion.outer_module, "length", "m_et", "transverse module at the outer end"),
-            "cone_distance": Size(pinion.cone_distance, "length", "R_e", "outer cone distance"),
-            "working_depth": Size(self._working_depth, "length", "h_wk", "sum of the addenda, outer"),
-            "whole_depth": Size(self._whole_depth, "length", "h_e", "addendum and dedendum of a member, outer"),
-            "clearance": Size(self._whole_depth - self._working_depth, "length", "c", "from tip to mate's root, outer"),
-            "contact_ratio": Size(contact_ratio(pinion.tooth, gear.tooth), "", "ε_α", "transverse contact ratio"),
-            "pinion_face_angle_limit": Size(limits[0], "angle", "δ_a1max", "face angle at which interference begins"),
-            "gear_face_angle_limit": Size(limits[1], "angle", "δ_a2max", "face angle at which interference begins"),
-        }
+        return bevel_pair_sizes(self)
+
+
+_SETTLED = {"standard", "taper", "iso_method", "profile_shift", "thickness_modification", "hand"}
+"""What a member has otherwise than its pair."""

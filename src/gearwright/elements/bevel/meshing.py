@@ -12,6 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
+from ...curves.traces.trace import Trace
 from .tooth import BevelTooth
 
 
@@ -19,6 +20,11 @@ def contact_ratio(pinion: BevelTooth, gear: BevelTooth) -> float:
     """Transverse contact ratio ε = Σ u_a/(2π sin γ/z), while the flanks last; the same z/sin γ for both."""
     path = sum(float(tooth.flank.parameter_at(tooth.face_angle)) for tooth in (pinion, gear))
     return float(path / (2.0 * np.pi * np.sin(pinion.pitch_angle) / pinion.teeth))
+
+
+def overlap_ratio(trace: Trace, inner: float, outer: float, teeth: int) -> float:
+    """ε_β = z |w(R_e) − w(R_i)|/2π: by how many pitches the two ends of a tooth are turned against each other."""
+    return float(teeth * abs(trace.turn(outer) - trace.turn(inner)) / (2.0 * np.pi))
 
 
 def interference_limit(tooth: BevelTooth, mate: BevelTooth) -> float:
@@ -41,14 +47,18 @@ def meshing_placements(shaft_angle: float, pinion_teeth: int, gear_teeth: int, t
     Common apex at the origin, pinion axis +z, gear axis at the shaft angle towards +x. At turn 0 the
     pinion's first tooth and the middle of a space of the gear face each other on the pitch line.
     """
-    c, s = np.cos(shaft_angle), np.sin(shaft_angle)
-    seat = np.array([[-c, 0.0, s], [0.0, -1.0, 0.0], [s, 0.0, c]])  # columns: gear x, y, z
     gear_turn = np.pi / gear_teeth - turn * pinion_teeth / gear_teeth
-    return _placement(np.eye(3), turn), _placement(seat, gear_turn)
+    return _placement(np.eye(3), turn), _placement(seat(shaft_angle), gear_turn)
 
 
-def _placement(seat: Array, angle: float) -> Array:
+def seat(shaft_angle: float) -> Array:
+    """Axes (3, 3) of the gear as columns x, y, z: its axis at the shaft angle towards +x, its x towards the pinion."""
+    c, s = np.cos(shaft_angle), np.sin(shaft_angle)
+    return np.array([[-c, 0.0, s], [0.0, -1.0, 0.0], [s, 0.0, c]])
+
+
+def _placement(axes: Array, angle: float) -> Array:
     c, s = np.cos(angle), np.sin(angle)
     matrix = np.eye(4)
-    matrix[:3, :3] = seat @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    matrix[:3, :3] = axes @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     return matrix

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -68,13 +68,9 @@ class BevelTeeth:
             root_angle=root,
             thickness=self.thickness - 2.0 * self._crown(v),
             form=self.form,
-            tip_radius=None if self.tip_radius is None else self._tip_radius(self.tip_radius, root),
+            tip_radius=None if self.tip_radius is None else self.tip_radius / self.tip_radius_scale(root),
             relief=self._relief(face) if self.relief else None,
         )
-
-    def _tip_radius(self, outer: float, root: float) -> float:
-        whole = self.pitch_angle - self.roots.polar_angle(self.ends, self.level("outer"))
-        return outer / self.ends.outer * (self.pitch_angle - root) / whole
 
     def _relief(self, face: float) -> Relief:
         part = self.relief_height / self.tips.height
@@ -104,6 +100,22 @@ class BevelTeeth:
     @cached_property
     def inner(self) -> BevelTooth:
         return self.tooth(self.level("inner"))
+
+    @property
+    def largest_tip_radius(self) -> float:
+        """Largest ρ at the outer end, length, that fits everywhere between the teeth; not positive where none does."""
+        return min(
+            tooth.largest_tip_radius * self.tip_radius_scale(tooth.root_angle) for tooth in self.looked_at.values()
+        )
+
+    def tip_radius_scale(self, root: float) -> float:
+        """ρ at the outer end, length, over the angular ρ where the roots have a polar angle."""
+        whole = self.pitch_angle - self.roots.polar_angle(self.ends, self.level("outer"))
+        return self.ends.outer * whole / (self.pitch_angle - root)
+
+    def on_spheres(self) -> BevelTeeth:
+        """The same teeth, whose levels are spheres about the apex, on which mates meet."""
+        return replace(self, ends=replace(self.ends, kind="spherical"))
 
     @property
     def looked_at(self) -> dict[str, BevelTooth]:

@@ -109,6 +109,15 @@ class BevelTooth:
         """Half the angular thickness (...) at polar angles (...) from the form angle to the face angle, with relief."""
         return self.tooth_flank.half_angle(polar)
 
+    def profile_half(self, polar: ArrayLike) -> Array:
+        """Half the angle (...) of the tooth at polar angles (...) from the root to the face, fillets included."""
+        delta = np.asarray(polar, float)
+        proper = self.half_angle(np.maximum(delta, self.form_angle))
+        if self.fillet is None:
+            return proper
+        below = self.fillet.half_angle(np.clip(delta, self.root_angle, self.form_angle))
+        return np.where(delta < self.form_angle, below, proper)
+
     @property
     def tip_half(self) -> float:
         """Half the angle of the tooth at its tip, with relief."""

@@ -77,8 +77,7 @@ def _roots(teeth: BevelTeeth, tooth: BevelTooth, nominal: float, unit: str) -> F
     if tip.largest_radius <= 0.0:
         yield "dedendum", _POINTED_CROWN
     elif tip.radius > tip.largest_radius * (1.0 + 1e-12):
-        scale = (teeth.tip_radius or 0.0) / tip.radius  # to the outer end
-        most = rounded_down(tip.largest_radius * scale)
+        most = rounded_down(tip.largest_radius * teeth.tip_radius_scale(tooth.root_angle))
         yield (
             "crown_tip_radius",
             f"does not fit between two teeth; at most {most} {unit}, which makes roots round all over",

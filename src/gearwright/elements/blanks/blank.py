@@ -48,7 +48,12 @@ class Blank:
     @classmethod
     def of(cls, element: object) -> Blank:
         """The blank of an element that declares parameters of these names."""
-        return cls(**{field.name: getattr(element, field.name) for field in fields(cls)})
+        return cls(**{name: getattr(element, name) for name in cls.names()})
+
+    @classmethod
+    def names(cls) -> tuple[str, ...]:
+        """Names of the parameters."""
+        return tuple(field.name for field in fields(cls))
 
     @cached_property
     def keyed_bore(self) -> KeyedBore | None:

@@ -1,0 +1,99 @@
+"""What is wrong with two bevel gears in mesh."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...parameters import Problems, declarations, rounded_down
+from .. import refusals
+from .meshing import interference_limit
+from .pitch_cone import require_cone
+from .sizing import require_standard
+from .tip_paths import cut_depth
+
+if TYPE_CHECKING:
+    from .bevel_pair import BevelPair
+
+_OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
+_CUT = 1e-7  # radians on the sphere: far above rounding, far below any gear's accuracy
+
+
+def check_pair(problems: Problems, pair: BevelPair) -> bool:
+    """Whether the members can be sized; adds what keeps them from it."""
+    if not (problems.computable(*_OF_THE_CONES) and problems.sound("module")):
+        return False
+    require_cone(problems, *pair.pitch_cone_angles)
+    require_standard(problems, pair.standard, pair.trace, pair.taper)
+    names = [one.name for one in declarations(type(pair))]
+    if not problems.sound("shaft_angle") or not problems.computable(*names):
+        return False
+    if pair.face_width >= pair.cone_distance:
+        problems.add("face_width", refusals.wide_face(pair.cone_distance, pair.length_unit))
+    if pair.standard == "explicit":
+        _check_depths(problems, pair)
+    return problems.sound("face_width", "whole_depth", "gear_addendum", "standard", "taper")
+
+
+def _check_depths(problems: Problems, pair: BevelPair) -> None:
+    unit = pair.length_unit
+    if pair.outer_whole_depth <= pair.outer_working_depth:
+        problems.add(
+            "whole_depth",
+            f"must be greater than the working depth, {pair.outer_working_depth:.4g} {unit}; "
+            "their difference is the clearance at the root",
+        )
+    if pair.explicit_gear_addendum >= pair.outer_working_depth:
+        problems.add(
+            "gear_addendum",
+            f"less than the working depth, {pair.outer_working_depth:.4g} {unit}; the rest is the pinion's addendum",
+        )
+
+
+def check_engagement(problems: Problems, pair: BevelPair) -> None:
+    """Tips must run clear of the mate's roots, and both teeth fit into the pitch."""
+    pitch = np.pi * pair.outer_module
+    thickness = pair.pinion.outer_thickness + pair.gear.outer_thickness
+    if thickness > pitch * (1.0 + 1e-12):
+        problems.add(
+            "circular_thickness",
+            f"interference: the two teeth are together {thickness:.4g} {pair.length_unit} thick and share a pitch of "
+            f"{pitch:.4g} {pair.length_unit}; make them thinner",
+        )
+        return
+    for member in (0, 1):
+        message = _interference(pair, member)
+        if message:
+            problems.add(_own_name(pair, member), message)
+
+
+def _own_name(pair: BevelPair, member: int) -> str:
+    """The parameter that gives a member its addendum."""
+    if pair.standard == "explicit":
+        return "working_depth" if member == 0 else "gear_addendum"
+    return "standard" if pair.profile_shift is None else "profile_shift"
+
+
+def _interference(pair: BevelPair, member: int) -> str | None:
+    """Why the tips of one member interfere with the roots of the other, at the end where they first do."""
+    gears, unit = (pair.pinion, pair.gear), pair.length_unit
+    name, mate = ("pinion", "gear")[member], ("gear", "pinion")[member]
+    for distance in (gears[0].cone_distance, gears[0].mean_distance, gears[0].inner_distance):
+        teeth = pair.teeth_on_sphere(distance)
+        own, other = teeth[member], teeth[1 - member]
+        limit = interference_limit(own, other)
+        if other.fillet is None and own.face_angle > limit + 1e-12:
+            most = gears[member].cone_distance * np.tan(limit - own.pitch_angle)
+            return (
+                f"interference: the {name}'s tip, {gears[member].proportions.addendum:.4g} {unit} above its pitch cone,"
+                f" would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
+                "(more teeth or a larger pressure angle allow more)"
+            )
+        depth = cut_depth(other, own, float(np.radians(pair.shaft_angle))) * distance
+        if depth > _CUT * distance:
+            return (
+                f"interference: the {name}'s tips cut {depth:.3g} {unit} into the {mate}'s roots; a smaller addendum, a"
+                f" smaller crown tip radius of the {mate} or a larger clearance keeps them apart"
+            )
+    return None

@@ -1,0 +1,120 @@
+"""Sizing systems of bevel gears by the names that parameters have for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, get_args
+
+import numpy as np
+
+from ...errors import ParameterError
+from ...parameters import Problems
+from ..standards.bevels.depth_data import DepthData, usual_depth_data
+from ..standards.bevels.design import BevelDesign
+from ..standards.bevels.equal_addendum import equal_addendum
+from ..standards.bevels.gleason import gleason_spiral, gleason_straight
+from ..standards.bevels.iso_23509 import Method, iso_23509
+from ..standards.bevels.proportions import DepthTaper, Pair, Proportions
+
+if TYPE_CHECKING:
+    from .bevel_gear import BevelGear
+    from .bevel_pair import BevelPair
+
+EXPLICIT = ("explicit",)
+SYSTEMS = ("equal-addendum", "gleason-straight", "gleason-spiral", "iso-23509")
+SHIFTED = ("equal-addendum", "iso-23509")
+"""Systems with a profile shift to choose; the others settle it themselves."""
+TAPERED = ("explicit", "equal-addendum", "iso-23509")
+"""Systems with a taper to choose."""
+ISO = ("iso-23509",)
+
+_METHODS: tuple[Method, ...] = get_args(Method)
+_TAPERS: tuple[DepthTaper, ...] = get_args(DepthTaper)
+
+
+def taper_of(name: str | None) -> DepthTaper | None:
+    """The taper of a name; None for none."""
+    return next((taper for taper in _TAPERS if taper == name), None)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sizing:
+    """A standard, and what it leaves to choose.
+
+    profile_shift, thickness_modification   of the first member; None: what the standard suggests
+    taper, method                           None: the standard's own
+    """
+
+    standard: str
+    profile_shift: float | None = None
+    thickness_modification: float = 0.0
+    taper: DepthTaper | None = None
+    method: Method | None = None
+
+    @classmethod
+    def of(cls, element: BevelGear | BevelPair) -> Sizing:
+        """What an element was given of it."""
+        return cls(
+            standard=element.standard,
+            profile_shift=element.profile_shift,
+            thickness_modification=element.thickness_modification or 0.0,
+            taper=taper_of(element.taper),
+            method=next((one for one in _METHODS if one == element.iso_method), None),
+        )
+
+    def proportions(self, design: BevelDesign) -> Pair:
+        """Of both members. Raises ParameterError where the standard has none for this design."""
+        shift, modification = self.profile_shift, self.thickness_modification
+        match self.standard:
+            case "equal-addendum":
+                pair = equal_addendum(design, profile_shift=shift or 0.0, thickness_modification=modification)
+                return tapered(pair[0], self.taper), tapered(pair[1], self.taper)
+            case "gleason-straight":
+                return gleason_straight(design, thickness_modification=modification)
+            case "gleason-spiral":
+                return gleason_spiral(design, thickness_modification=modification)
+            case _:
+                return iso_23509(design, method=self.method or 0, taper=self.taper, depths=self._depths(design))
+
+    def _depths(self, design: BevelDesign) -> DepthData | None:
+        if self.profile_shift is None and not self.thickness_modification:
+            return None
+        usual = usual_depth_data(design) if (self.method or 0) in (0, 1) else DepthData()
+        shift = usual.profile_shift if self.profile_shift is None else self.profile_shift
+        return replace(usual, profile_shift=shift, thickness_modification=self.thickness_modification)
+
+
+def tapered(proportions: Proportions, taper: DepthTaper | None) -> Proportions:
+    """Proportions that go with the cone distance, or those of the same outer heights that do not."""
+    return replace(proportions, addendum_angle=0.0, dedendum_angle=0.0) if taper == "uniform" else proportions
+
+
+def explicit(
+    addendum: float, dedendum: float, thickness: float, cone_distance: float, taper: DepthTaper | None
+) -> Proportions:
+    """Proportions of outer heights as given, tan θ = h/R_e or θ = 0. Source: Al-Daccak 1989, table 3.1."""
+    found = Proportions(
+        addendum=addendum,
+        dedendum=dedendum,
+        addendum_angle=float(np.arctan2(addendum, cone_distance)),
+        dedendum_angle=float(np.arctan2(dedendum, cone_distance)),
+        thickness=thickness,
+    )
+    return tapered(found, taper)
+
+
+def require_standard(problems: Problems, standard: str, trace: str, taper: str | None) -> None:
+    """Adds a problem where teeth are straight and the system is for spiral ones, or the taper another system's."""
+    if standard == "gleason-straight" and trace != "straight":
+        problems.add("standard", 'is for straight teeth; "gleason-spiral" is for those with a spiral angle')
+    if standard == "gleason-spiral" and trace == "straight":
+        problems.add("standard", 'is for teeth with a spiral angle, usually 35°; "gleason-straight" for straight ones')
+    if standard in ("explicit", "equal-addendum") and taper in ("duplex", "tilted"):
+        problems.add("taper", 'is found by standard = "iso-23509"; with this one it is "standard" or "uniform"')
+
+
+def add_refusals(problems: Problems, error: ParameterError, otherwise: str) -> None:
+    """Adds what a standard refuses, to the parameters it names where the element has them, else to another one."""
+    for problem in error.problems:
+        name = problem.subject.split(" ")[0]
+        problems.add(name if problems.has(name) else otherwise, problem.message)
