@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.boundary.faces import Patch
 from gearwright.curves.curve import Curve, Mapped, turn
+from gearwright.curves.octoid import Octoid
 from gearwright.curves.spherical_involute import SphericalInvolute
 from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.bevel.bevel_pair import BevelPair
@@ -22,8 +23,8 @@ _OFF_CUSP = 1e-3  # the involute has no tangent at its cusp
 
 
 def involute_patches(gear: BevelGear) -> list[Patch]:
-    """The two flanks of the first tooth, above the base cone."""
-    return [patch for patch in gear.boundary.patches if isinstance(unmapped(patch.curve), SphericalInvolute)]
+    """The two flanks of the first tooth, above the base cone or, of octoids, above their cusp."""
+    return [patch for patch in gear.boundary.patches if isinstance(unmapped(patch.curve), SphericalInvolute | Octoid)]
 
 
 def unmapped(curve: Curve) -> Curve:

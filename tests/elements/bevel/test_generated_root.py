@@ -1,6 +1,7 @@
 """Generated roots against the tool itself: a crown gear's rounded tooth rolled past the gear."""
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -106,12 +107,30 @@ def test_flanks_that_meet_before_the_tip_leave_room_for_no_radius():
     assert deep.largest_tip_radius < 0.0
 
 
-def test_an_involute_crown_gear_ends_at_its_own_base_cone():
-    assert tooth(8, 90, "involute").fillet.crown_tip.reaches
-    module = 2.0 / 8
-    deep = {"root_angle": np.pi / 2.0 - 1.5 * module, "tip_radius": 0.05 * module}
-    assert not tooth(8, 90, "involute", **deep).fillet.crown_tip.reaches
-    assert tooth(8, 90, "octoid", **deep).fillet.crown_tip.reaches
+@pytest.mark.parametrize(("teeth", "deepest"), [(8, 1.39), (6, 1.04)])
+def test_an_involute_crown_gear_has_flanks_down_to_its_own_base_cone(teeth, deepest):
+    """That is a from its pitch plane; an octoid's goes on. A corner is tangent before the flank's end, or nowhere."""
+    module = 2.0 / teeth
+    for depth, reaches in ((deepest - 0.02, True), (deepest + 0.02, False)):
+        assert (depth * module < PRESSURE) == reaches
+        at = {"root_angle": np.pi / 2.0 - depth * module, "tip_radius": 1e-6 * module}
+        assert tooth(teeth, 90, "involute", **at).fillet.crown_tip.reaches == reaches
+        assert tooth(teeth, 90, "octoid", **at).fillet.crown_tip.reaches
+    flank = tooth(8, 90, "involute").flank
+    for radius in np.linspace(0.0, 0.5, 26):
+        turning = flank.tip_tangent(0.3, radius)[0] - flank.crown.least_turn
+        assert flank.crown_reaches(0.3, radius) == (turning > 0.0)
+
+
+def test_a_corner_may_be_rounder_than_the_tip_is_deep():
+    shallow = tooth(30, 50, "octoid", 0.1, root_angle=np.radians(50.0) - 0.02)
+    largest = shallow.largest_tip_radius
+    assert largest > shallow.fillet.crown_tip.depth
+    full = replace(shallow, tip_radius=0.999 * largest)
+    crown = tool(full)
+    for part in space_side(full, np.linspace(0.0, 1.0, 5)):
+        for point in part:
+            assert crown.least_clearance(point, full.pitch_angle) == pytest.approx(0.0, abs=1e-9)
 
 
 @EVERY_FORM

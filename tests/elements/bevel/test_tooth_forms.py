@@ -219,6 +219,17 @@ class TestTeeth:
 
 
 @EVERY_FORM
+@pytest.mark.parametrize("pitch", [20.0, 51.34, 90.0])
+def test_the_ends_of_flanks_are_where_their_turns_say(pitch, form):
+    flank = tooth(20, pitch, form).flank
+    polar = flank.parameter_at(np.array([flank.least_polar, flank.pitch_angle, flank.greatest_polar]))
+    np.testing.assert_allclose(polar, [flank.least_turn, 0.0, flank.greatest_turn], atol=1e-7)  # flat at the ends
+    assert flank.polar_at(flank.least_turn) == pytest.approx(flank.least_polar, abs=1e-14)
+    assert flank.polar_at(flank.greatest_turn) == pytest.approx(flank.greatest_polar, abs=1e-14)
+    assert flank.pitch_azimuth == pytest.approx(-float(flank.azimuth_at(flank.least_polar)), abs=1e-14)
+
+
+@EVERY_FORM
 @pytest.mark.parametrize("relieved", [False, True])
 def test_nearby_teeth_have_the_same_curves(relieved, form):
     """The same number and kind, close to one another: a family of them is analytic in its parameters."""
