@@ -1,0 +1,103 @@
+"""Two toothed members on the sphere about their apex, as running needs to know them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+import numpy as np
+
+from ..arrays import Array, ArrayLike
+from ..curves.spherical_involute import azimuth, roll_at_polar_angle
+from ..curves.trace import Trace
+from ..elements.bevel.bevel_gear import BevelGear
+from ..elements.bevel.bevel_pair import BevelPair
+
+Side = Literal["drive", "coast"]
+"""Which flanks touch: those that push when the pinion turns counter-clockwise about its axis, or the other ones."""
+
+
+class Flank(Protocol):
+    """The flank of a tooth centred on azimuth 0, the same on both sides. Angles in radians.
+
+    form_angle, face_angle   polar angles between which it can touch: from where it begins to the tip
+    """
+
+    @property
+    def form_angle(self) -> float: ...
+    @property
+    def face_angle(self) -> float: ...
+    def half_angle(self, polar: ArrayLike) -> Array:
+        """Half the tooth's angular thickness about its axis (...) at polar angles (...)."""
+        ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Member:
+    """One toothed member. pitch_angle γ in radians; inner, outer   the cone distances its teeth lie between"""
+
+    teeth: int
+    pitch_angle: float
+    flank: Flank
+    trace: Trace
+    inner: float
+    outer: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mesh:
+    """A pinion and the gear it drives, on axes at the shaft angle Σ, radians, with a common apex."""
+
+    pinion: Member
+    gear: Member
+    shaft_angle: float
+
+    @property
+    def pitch(self) -> float:
+        """The pinion's angular pitch, radians."""
+        return 2.0 * np.pi / self.pinion.teeth
+
+
+@dataclass(frozen=True, kw_only=True)
+class InvoluteFlank:
+    """The spherical involute from form to face angle. thickness   of the tooth, about its axis, at the pitch cone"""
+
+    base_cone_angle: float
+    pitch_angle: float
+    form_angle: float
+    face_angle: float
+    thickness: float
+
+    def half_angle(self, polar: ArrayLike) -> Array:
+        """θ_p/2 − (ψ(δ) − ψ_p)."""
+        psi, at_pitch = (self._azimuth(one) for one in (polar, self.pitch_angle))
+        return self.thickness / 2.0 - (psi - at_pitch)
+
+    def _azimuth(self, polar: ArrayLike) -> Array:
+        return azimuth(roll_at_polar_angle(polar, self.base_cone_angle), self.base_cone_angle)
+
+
+def mesh_of(pair: BevelPair) -> Mesh:
+    """What runs of a bevel pair."""
+    return Mesh(
+        pinion=_member(pair.pinion), gear=_member(pair.gear), shaft_angle=float(np.radians(pair.shaft_angle))
+    )  # fmt: skip
+
+
+def _member(gear: BevelGear) -> Member:
+    tooth = gear.tooth
+    flank = InvoluteFlank(
+        base_cone_angle=tooth.base_cone_angle,
+        pitch_angle=tooth.pitch_angle,
+        form_angle=tooth.flank_start,
+        face_angle=tooth.face_angle,
+        thickness=tooth.thickness,
+    )
+    return Member(
+        teeth=gear.teeth,
+        pitch_angle=gear.pitch_cone_angle,
+        flank=flank,
+        trace=gear.tooth_trace,
+        inner=gear.inner_distance,
+        outer=gear.cone_distance,
+    )
