@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, Protocol
 
 import numpy as np
@@ -12,9 +13,13 @@ from ..curves.spherical_involute import azimuth, roll_at_polar_angle
 from ..curves.trace import Trace
 from ..elements.bevel.bevel_gear import BevelGear
 from ..elements.bevel.bevel_pair import BevelPair
+from .search import crossing
 
 Side = Literal["drive", "coast"]
 """Which flanks touch: those that push when the pinion turns counter-clockwise about its axis, or the other ones."""
+
+
+_LOOKED_AT = 66  # cone distances among which a trace is seen to turn back; no usual one does so twice
 
 
 class Flank(Protocol):
@@ -42,6 +47,21 @@ class Member:
     trace: Trace
     inner: float
     outer: float
+
+    @cached_property
+    def bends(self) -> Array:
+        """Cone distances from the inner to the outer end between which the trace turns one way only."""
+        distance = np.linspace(self.inner, self.outer, _LOOKED_AT)
+        slope = self.trace.slope(distance)
+        turning = np.flatnonzero(slope[:-1] * slope[1:] < 0.0)
+        between = crossing(self.trace.slope, distance[turning], distance[turning + 1])
+        return np.concatenate([[self.inner], between, [self.outer]])
+
+    @property
+    def turned(self) -> tuple[float, float]:
+        """The least and the greatest turn of its teeth along the face, radians."""
+        turns = self.trace.turn(self.bends)
+        return float(turns.min()), float(turns.max())
 
 
 @dataclass(frozen=True, kw_only=True)

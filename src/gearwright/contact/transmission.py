@@ -115,8 +115,7 @@ def least_backlash(drive: TransmissionError, coast: TransmissionError) -> float:
 
 def _teeth_that_may_touch(mesh: Mesh) -> Indices:
     """Numbers of the pinion's teeth whose flanks may be in mesh while the first one passes a pitch."""
-    trace, member = mesh.pinion.trace, mesh.pinion
-    lag = float(np.max(np.abs(trace.turn(np.array([member.inner, member.outer])))))
+    lag = max(map(abs, mesh.pinion.turned))
     reach = _SPARE + int(np.ceil(lag / mesh.pitch))
     return np.arange(-reach - 1, reach + 1, dtype=np.int64)
 
