@@ -1,4 +1,4 @@
-"""Lines of contact: both flanks are there, they are as many as the contact ratio says, and of the length they must be."""
+"""Lines of contact: both flanks are there, as many as the contact ratio says, as long as they must be."""
 
 from dataclasses import dataclass, replace
 
