@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
 from .mesh import Mesh, Side
@@ -63,12 +64,28 @@ class Approach:
     def touch(self, turn: Array) -> Touch:
         """Of the pinion's first tooth when it stands turned by angles (n,), radians, from the pitch line."""
         pinion = self.mesh.pinion
-        outer = np.full(turn.shape, pinion.outer)
+        distance = np.full(turn.shape, pinion.outer)
         if not self._is_uniform:
-            ends = np.full(turn.shape, pinion.inner), outer
-            outer, _ = largest(lambda r: self._on_sphere(turn, r)[0], *ends, nodes=2 * _NODES, steps=_STEPS)
-        lead, polar = self._on_sphere(turn, outer)
-        return Touch(lead=lead, distance=outer, polar=polar)
+            meets = self._meets(turn)
+            ends = np.full(meets.sum(), pinion.inner), np.full(meets.sum(), pinion.outer)
+            distance[meets], _ = largest(
+                lambda r: self._on_sphere(turn[meets], r)[0], *ends, nodes=2 * _NODES, steps=_STEPS
+            )
+        lead, polar = self._on_sphere(turn, distance)
+        return Touch(lead=lead, distance=distance, polar=polar)
+
+    def _meets(self, turn: Array) -> NDArray[np.bool_]:
+        """Whether a tooth (n,) is within its mate's flank anywhere, or so nearly that it may be between the nodes."""
+        pinion = self.mesh.pinion
+        found = np.zeros(turn.shape, bool)
+        heights = np.linspace(pinion.flank.form_angle, pinion.flank.face_angle, _NODES)
+        step = heights[1] - heights[0]
+        for distance in np.linspace(pinion.inner, pinion.outer, 2 * _NODES):
+            for polar in heights:
+                at = self._seen(turn, np.full(turn.shape, distance), np.full(turn.shape, polar))
+                near = [margin(at) > -2.0 * step for margin in self._margins[:2]]
+                found |= np.all(near, axis=0)
+        return found
 
     def lead(self, turn: Array, distance: Array, polar: Array) -> Array:
         """Of the gear (...), if it touched the pinion at points (...) of its flank."""

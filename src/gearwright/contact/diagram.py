@@ -13,17 +13,10 @@ from ..pictures.contact_diagram import ContactDiagram, ErrorCurve, Flank, contac
 from .lines import contact_ratios, lines_at
 from .mesh import Member, Mesh, mesh_of
 from .path import ContactPath
-from .transmission import TransmissionError, transmission_error
+from .running import SHAFT_ANGLE_ERROR, errors_of, lines_over_a_pitch
+from .transmission import TransmissionError
 
-SHAFT_ANGLE_ERROR = 0.1
-"""Degrees added to the shaft angle in the diagram."""
-
-OFFSET_ERROR = 0.01
-"""Distance of the axes in the diagram, in outer modules, to two digits."""
-
-_SAMPLES = 48  # turns over a pitch for errors
 _LINES = 4  # lines of one tooth a pitch
-_COUNTED = 120  # turns over a pitch for lengths
 
 
 def draw(pair: BevelPair, path: Path) -> None:
@@ -32,41 +25,30 @@ def draw(pair: BevelPair, path: Path) -> None:
     Raises FileError, MachineError; GeometryError where the pair does not run.
     """
     mesh, unit = mesh_of(pair), pair.length_unit
-    offset = float(f"{OFFSET_ERROR * pair.pinion.outer_module:.1g}")
-    askew = transmission_error(pair, offset_error=offset, samples=_SAMPLES)
-    errors = {
-        "as designed": transmission_error(pair, samples=_SAMPLES),
-        f"shaft angle {SHAFT_ANGLE_ERROR:+g}°": transmission_error(
-            pair, shaft_angle_error=SHAFT_ANGLE_ERROR, samples=_SAMPLES
-        ),
-        f"axes {offset:g} {unit} apart": askew,
+    errors, lines = errors_of(pair), lines_over_a_pitch(pair)
+    apart = f"axes {errors.offset:g} {unit} apart"
+    curves = {
+        "as designed": errors.designed,
+        f"shaft angle {SHAFT_ANGLE_ERROR:+g}°": errors.tilted,
+        apart: errors.apart,
     }
-    turns = (np.arange(_COUNTED) + 0.5) / _COUNTED
-    lengths, counts = _lines_over_a_pitch(ContactPath(mesh=mesh), turns)
     diagram = ContactDiagram(
         title=f"Contact of a bevel pair, {pair.description}",
         length_unit=unit,
         micrometres=1e3 * MILLIMETRES[unit],
         radius=pair.gear.pitch_radius,
-        flank=_flank(mesh, askew, f"touched with axes {offset:g} {unit} apart"),
-        errors=[_curve(label, mesh, found) for label, found in errors.items()],
-        turns=turns,
-        lengths=lengths,
-        counts=counts,
-        notes=_notes(pair, lengths),
+        flank=_flank(mesh, errors.apart, f"touched with {apart}"),
+        errors=[_curve(label, mesh, found) for label, found in curves.items()],
+        turns=lines.turns,
+        lengths=lines.lengths,
+        counts=lines.counts,
+        notes=_notes(pair, lines.lengths),
     )
     contact_diagram(diagram, path)
 
 
 def _curve(label: str, mesh: Mesh, found: TransmissionError) -> ErrorCurve:
     return ErrorCurve(label=label, turns=found.pinion_turn / mesh.pitch, error=found.error)
-
-
-def _lines_over_a_pitch(path: ContactPath, turns: Array) -> tuple[Array, Array]:
-    """Length of all lines together, and how many teeth touch, at turns in pitches."""
-    found = [lines_at(path, turn * path.mesh.pitch, samples=9) for turn in turns]
-    lengths = np.array([sum(line.length for line in lines) for lines in found])
-    return lengths, np.array([len({line.tooth for line in lines}) for lines in found])
 
 
 def _flank(mesh: Mesh, askew: TransmissionError, touched_label: str) -> Flank:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -68,7 +69,13 @@ class ErrorCurve:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDiagram:
-    """All of it. radius   of the driven gear's pitch circle; lengths (n,) of all lines over the turns (n,) in pitches"""
+    """All of it.
+
+    micrometres       in the length unit
+    radius            of the driven gear's pitch circle
+    lengths, counts   (n,) of all lines of contact together, and of teeth that touch, at the turns (n,) in pitches
+    notes             lines below the flank
+    """
 
     title: str
     length_unit: str
@@ -141,8 +148,15 @@ def _draw_errors(axes: Axes, diagram: ContactDiagram) -> None:
         most = max(most, float(np.abs(values).max()))
     axes.set_ylim(-1.15 * most, 1.15 * most)
     axes.set_ylabel("error of the gear, µrad", fontsize=11.0)
-    metres = diagram.radius * diagram.micrometres
-    length = axes.secondary_yaxis("right", functions=(lambda x: x * metres / _MICRO, lambda x: x * _MICRO / metres))
+    micrometres = diagram.radius * diagram.micrometres
+
+    def to_micrometres(values: Any) -> Any:
+        return values * micrometres / _MICRO
+
+    def to_microradians(values: Any) -> Any:
+        return values * _MICRO / micrometres
+
+    length = axes.secondary_yaxis("right", functions=(to_micrometres, to_microradians))
     length.set_ylabel("at its pitch circle, µm", fontsize=11.0)
     length.tick_params(labelsize=_SMALL)
     length.spines["right"].set_color(QUIET)
@@ -167,7 +181,7 @@ def _name_counts(axes: Axes, diagram: ContactDiagram) -> None:
     """How many teeth touch, above each stretch of the first pitch where that number stays the same."""
     changes = np.flatnonzero(np.diff(diagram.counts)) + 1
     bounds = [0, *changes, len(diagram.counts)]
-    for start, stop in zip(bounds[:-1], bounds[1:], strict=True):
+    for start, stop in pairwise(bounds):
         if stop - start < 0.08 * len(diagram.counts):
             continue
         middle = (diagram.turns[start] + diagram.turns[stop - 1]) / 2.0
