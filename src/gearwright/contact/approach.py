@@ -103,10 +103,7 @@ class Approach:
 
     def _seen(self, turn: Array, distance: Array, polar: Array) -> Array:
         """Points (..., 3) of the pinion's flank in the frame of the gear's seat."""
-        pinion = self.mesh.pinion
-        azimuth = turn + pinion.trace.turn(distance) + self._sense * pinion.flank.half_angle(polar)
-        across = distance * np.sin(polar)
-        point = np.stack([across * np.cos(azimuth), across * np.sin(azimuth), distance * np.cos(polar)], axis=-1)
+        point = self.mesh.pinion.flank_points(distance, polar, self._sense, turn)
         axes, apex = self._seat
         return (point - apex) @ axes
 

@@ -48,6 +48,15 @@ class Member:
     inner: float
     outer: float
 
+    def flank_points(self, distance: Array, polar: Array, sense: float, turn: ArrayLike = 0.0) -> Array:
+        """Points (..., 3) of the first tooth's flank at cone distances and polar angles (...), the tooth turned.
+
+        sense   1 for the flank on its counter-clockwise side, −1 for the other
+        """
+        azimuth = np.asarray(turn) + self.trace.turn(distance) + sense * self.flank.half_angle(polar)
+        across = distance * np.sin(polar)
+        return np.stack([across * np.cos(azimuth), across * np.sin(azimuth), distance * np.cos(polar)], axis=-1)
+
     @cached_property
     def bends(self) -> Array:
         """Cone distances from the inner to the outer end between which the trace turns one way only."""

@@ -23,6 +23,7 @@ _RAMP = ("#0f3d73", "#2f7fc1", "#7fb8de")
 """A tooth's lines from its first touching to its last."""
 _STYLES = (("#1f5fa8", "-"), ("#66707b", "--"), ("#b5642d", "-"))
 _SMALL = 10.5  # points
+_BEHIND = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
 _MICRO = 1e6
 _ARCSECONDS = float(np.degrees(3600.0))
 _LEAST_RANGE = 0.5  # µrad: nothing smaller is worth enlarging
@@ -188,7 +189,7 @@ def _name_counts(axes: Axes, diagram: ContactDiagram) -> None:
         height = float(diagram.lengths[start:stop].max()) + 0.04 * float(diagram.lengths.max())
         count = int(diagram.counts[start])
         said = f"{count} tooth" if count == 1 else f"{count} teeth"
-        axes.text(middle, height, said, ha="center", va="bottom", fontsize=_SMALL, color=INK)
+        axes.text(middle, height, said, ha="center", va="bottom", fontsize=_SMALL, color=INK, bbox=_BEHIND)
 
 
 def _twice(turns: Array, values: Array) -> tuple[Array, Array]:
