@@ -16,7 +16,7 @@ from ..elements.bevel.bevel_pair import BevelPair
 from .search import crossing
 
 Side = Literal["drive", "coast"]
-"""Which flanks touch: those that push when the pinion turns counter-clockwise about its axis, or the other ones."""
+"""Which flanks touch: those that push as the pinion turns positively about +z of its frame, or the other ones."""
 
 
 _LOOKED_AT = 66  # cone distances among which a trace is seen to turn back; no usual one does so twice

@@ -126,7 +126,10 @@ def _require(samples: int, side: str, misalignment: Misalignment) -> None:
         problems.append(Problem(f"samples = {samples}", "at least 2 turns of the pinion over a pitch"))
     if side not in ("drive", "coast"):
         problems.append(
-            Problem(f"side = {side!r}", "drive, the flanks that push counter-clockwise, or coast, the other ones")
+            Problem(
+                f"side = {side!r}",
+                "drive, the flanks that push as the pinion turns positively about +z, or coast, the other ones",
+            )
         )
     errors = (misalignment.shaft_angle, misalignment.pinion, misalignment.gear, misalignment.offset)
     if not np.all(np.isfinite(errors)):
