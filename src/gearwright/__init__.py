@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from .contact.lines import contact_lines, contact_ratios
+    from .contact.overlap import overlap_through_cycle
+    from .contact.transmission import transmission_error
     from .curves.helix import helix
     from .elements.bevel.bevel_gear import BevelGear
     from .elements.bevel.bevel_pair import BevelPair
@@ -54,18 +57,25 @@ __all__ = [
     "Sweep",
     "__version__",
     "approximation_error",
+    "contact_lines",
+    "contact_ratios",
     "extrude",
     "helix",
     "layer_refinement",
     "mass_properties",
+    "overlap_through_cycle",
     "plot_convergence",
     "revolve",
     "section_refinement",
     "sweep",
     "sweep_along",
+    "transmission_error",
 ]
 
 _MODULES = {
+    ".contact.lines": ("contact_lines", "contact_ratios"),
+    ".contact.overlap": ("overlap_through_cycle",),
+    ".contact.transmission": ("transmission_error",),
     ".curves.helix": ("helix",),
     ".elements.bevel.bevel_gear": ("BevelGear",),
     ".elements.bevel.bevel_pair": ("BevelPair",),

@@ -23,7 +23,8 @@ class Element:
 
     command   the subcommand of the command line that builds it
     members   how many parts it has: 1, or 2 for a pair
-    diagrams  whether it draws a diagram of its motion
+    diagram   what draws the diagram of its motion: a function of the element and a path, if there is one
+    running   what tells how it runs: a function of the element that gives values by name, if there is one
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
     plane     whether it has a plane section, which can be drawn
@@ -37,7 +38,8 @@ class Element:
     members: Literal[1, 2] = 1
     settled: Mapping[str, str] = field(default_factory=dict)
     plane: bool = False
-    diagrams: bool = False
+    diagram: Source | None = None
+    running: Source | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,6 +77,8 @@ ELEMENTS = (
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
         members=2,
+        diagram="gearwright.contact.diagram:draw",
+        running="gearwright.contact.running:running",
     ),
     *(
         Element(
@@ -150,7 +154,7 @@ ELEMENTS = (
         source="gearwright.elements.cams.cam:Cam",
         command="cam",
         origin="on the axis, +z, at one face of the disk; the follower starts on +x",
-        diagrams=True,
+        diagram="gearwright.elements.cams.diagram:draw",
         plane=True,
     ),
 )

@@ -55,7 +55,7 @@ def test_a_diagram_is_drawn_into_a_folder_that_is_made(run, tmp_path, suffix):
 def test_diagrams_are_refused_where_there_are_none(run):
     outcome = run(*"spur --teeth 16 --module 8 --face-width 50 --diagram gear.png".split())
     assert outcome.code == 2
-    assert "--diagram: applies to a cam" in outcome.err
+    assert "--diagram: applies to a bevel pair or a cam" in outcome.err
     outcome = run(*FACE, "--base-radius", 40, "--diagram", "cam.jpg")
     assert outcome.code == 2
     assert "--diagram cam.jpg: no such files are written here, but .png, .svg" in outcome.err

@@ -89,6 +89,7 @@ class Built:
 
     kind     the catalog's name
     origin   what is at the origin of each part's frame
+    running  how the pair runs, where that is asked for: values by name
     """
 
     kind: str
@@ -97,6 +98,7 @@ class Built:
     pair: Any
     pair_sizes: Mapping[str, Size]
     units: Units
+    running: Mapping[str, Size] = field(default_factory=dict)
 
     @property
     def title(self) -> str:

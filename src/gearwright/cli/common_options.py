@@ -46,6 +46,11 @@ def _wrong_suffix(name: str, path: Path | None, suffixes: Sequence[str]) -> list
     return [Problem(f"{option_name(name)} {path}", f"no such files are written here, but {', '.join(suffixes)}")]
 
 
+def _applies_to(kinds: Sequence[catalog.Element]) -> str:
+    """What an option is for, in words."""
+    return "applies to " + " or ".join(f"a {kind.name}" for kind in kinds)
+
+
 def _one_file_twice(files: Mapping[str, Path | None]) -> list[Problem]:
     """Outputs that would overwrite each other."""
     seen: dict[Path, str] = {}
@@ -104,8 +109,18 @@ class Outputs:
     ] = None
 
     diagram: Annotated[
-        Path | None, Option(help="Draw a cam's disk and its follower's motion.", metavar="FILE.png|svg")
+        Path | None,
+        Option(help="Draw how it moves: a cam's disk and follower, a bevel pair's contact.", metavar="FILE.png|svg"),
     ] = None
+
+    running: Annotated[
+        bool,
+        Option(
+            help="Transmission error of a pair, as designed and with errors of mounting.",
+            negative=(),
+            show_default=False,
+        ),
+    ] = False
 
     @property
     def plot(self) -> Path | None:
@@ -116,9 +131,14 @@ class Outputs:
         """What is wrong with the diagram asked for, of an element that draws one or does not."""
         if self.diagram is None:
             return []
-        if not kind.diagrams:
-            return [Problem(option_name("diagram"), "applies to a cam")]
+        if kind.diagram is None:
+            return [Problem(option_name("diagram"), _applies_to([one for one in catalog.ELEMENTS if one.diagram]))]
         return _wrong_suffix("diagram", self.diagram, [".png", ".svg"])
+
+    def _running_problems(self, kind: catalog.Element) -> list[Problem]:
+        if not self.running or kind.running is not None:
+            return []
+        return [Problem(option_name("running"), _applies_to([one for one in catalog.ELEMENTS if one.running]))]
 
     def problems(self, kind: catalog.Element) -> list[Problem]:
         """What is wrong with these options, for an element of a kind."""
@@ -149,6 +169,7 @@ class Outputs:
             ),
             *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
             *self._diagram_problems(kind),
+            *self._running_problems(kind),
             *(
                 Problem(option_name(name), "applies to a pair")
                 for name, given in pairs_only.items()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
 from .json_output import built_json
-from .outputs import draw, write
+from .outputs import draw, progress, write
 from .report import show_built
 
 
@@ -27,9 +28,12 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
     if outputs.convergence is not None:
         built = with_convergence(built)
+    if outputs.running and kind.running is not None:
+        with progress("running"):
+            built = replace(built, running=catalog.load(kind.running)(element))
     written: list[Path] = []
     try:
-        _write_all(built, element, outputs, written)
+        _write_all(kind, built, element, outputs, written)
     except GearwrightError:
         _announce(written)  # what is there already stays, and is no secret
         raise
@@ -42,7 +46,7 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     return DONE
 
 
-def _write_all(built: Built, element: Any, outputs: Outputs, written: list[Path]) -> None:
+def _write_all(kind: catalog.Element, built: Built, element: Any, outputs: Outputs, written: list[Path]) -> None:
     """Writes the files asked for, and adds the path of each to those written."""
     write(built, outputs, written)
     if outputs.drawing is not None:
@@ -50,9 +54,10 @@ def _write_all(built: Built, element: Any, outputs: Outputs, written: list[Path]
     if outputs.plot is not None:
         plot_parts(built, outputs.plot)
         written.append(outputs.plot)
-    if outputs.diagram is not None:
+    if outputs.diagram is not None and kind.diagram is not None:
         folder(outputs.diagram.parent)
-        element.diagram(outputs.diagram)
+        with progress("diagram"):
+            catalog.load(kind.diagram)(element, outputs.diagram)
         written.append(outputs.diagram)
 
 

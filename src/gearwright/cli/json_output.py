@@ -22,6 +22,8 @@ def built_json(built: Built) -> str:
         (document,) = parts.values()
     else:
         pair = {"parameters": _parameters(built.pair), "sizes": _sizes(built.pair_sizes, built.units)}
+        if built.running:
+            pair["running"] = _sizes(built.running, built.units)
         document = {**parts, "pair": pair}
     return json_line(document, indent=2)
 
@@ -67,6 +69,7 @@ def _unit(unit: Unit, units: Units) -> str:
     return {
         "length": units.length,
         "angle": "deg",
+        "microradian": "urad",
         "mm": "mm",
         "per inch": "1/in",
         "area": f"{units.length}^2",

@@ -21,7 +21,7 @@ WIDTH = 100
 """Columns of text that is not written to a terminal."""
 
 _POWERS = {2: "²", 3: "³", 5: "⁵"}
-_UNITS = {"angle": "°", "mm": "mm", "per inch": "1/in", "": ""}
+_UNITS = {"angle": "°", "microradian": "µrad", "mm": "mm", "per inch": "1/in", "": ""}
 
 
 def show(*renderables: RenderableType) -> None:
@@ -46,6 +46,8 @@ def show_built(built: Built) -> None:
     tables = [_sizes_table(built.kind, names, sizes, built.units)]
     if built.pair_sizes:
         tables.append(_sizes_table("pair", [""], [built.pair_sizes], built.units))
+    if built.running:
+        tables.append(_sizes_table("running", [""], [built.running], built.units))
     columns: dict[str, MassProperties] = {}
     for name, part in built.parts.items():
         columns |= {name: part.properties, **part.beside}

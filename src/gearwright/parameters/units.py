@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from numbers import Real
 from typing import Literal
 
-Unit = Literal["length", "area", "angle", "mm", "per inch", ""]
+Unit = Literal["length", "area", "angle", "microradian", "mm", "per inch", ""]
 
 MILLIMETRES = {"mm": 1.0, "in": 25.4}
 """Length units a person may choose, in millimetres."""

@@ -1,0 +1,1 @@
+"""Pairs running: transmission error, lines of contact, overlap through a cycle."""

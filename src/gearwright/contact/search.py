@@ -1,0 +1,59 @@
+"""Roots and maxima of many functions of one variable at once: column i of every array belongs to the i-th function."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..arrays import Array
+
+Function = Callable[[Array], Array]
+
+_MOST_STEPS = 60
+_ROUNDING = 4.0 * np.finfo(float).eps
+_GOLDEN = (3.0 - np.sqrt(5.0)) / 2.0
+
+
+def crossing(function: Function, low: Array, high: Array) -> Array:
+    """Where functions change sign between low and high (n,), to rounding, by the Illinois rule.
+
+    Where there is no change of sign, the end nearer to one.
+    """
+    a, b, at_a, at_b = low.astype(float), high.astype(float), function(low), function(high)
+    for _ in range(_MOST_STEPS):
+        rise = at_b - at_a
+        secant = b - at_b * (b - a) / np.where(rise == 0.0, 1.0, rise)
+        x = np.clip(np.where(rise == 0.0, a, secant), np.minimum(a, b), np.maximum(a, b))
+        at_x = function(x)
+        changed = at_x * at_b <= 0.0
+        a, at_a = np.where(changed, b, a), np.where(changed, at_b, at_a / 2.0)
+        done = np.abs(x - b) <= _ROUNDING * (1.0 + np.abs(x))
+        b, at_b = x, at_x
+        if np.all(done | (at_b == 0.0)):
+            break
+    return b
+
+
+def largest(function: Function, low: Array, high: Array, *, nodes: int, steps: int) -> tuple[Array, Array]:
+    """(x, value) of the greatest value between low and high (n,), both ends among the candidates.
+
+    The best of so many nodes, denser towards the ends, and golden section about it in so many steps; a function may
+    be −∞ where it has no value. The value of a smooth maximum is then good to the square of the width left.
+    """
+    fractions = (1.0 - np.cos(np.linspace(0.0, np.pi, nodes))) / 2.0
+    grid = low + fractions[:, None] * (high - low)
+    grid[-1] = high
+    values = np.stack([function(x) for x in grid])
+    best, columns = np.argmax(values, axis=0), np.arange(len(low))
+    middle, at_middle = grid[best, columns], values[best, columns]
+    left, right = grid[np.maximum(best - 1, 0), columns], grid[np.minimum(best + 1, nodes - 1), columns]
+    for _ in range(steps):
+        above = right - middle > middle - left
+        x = middle + _GOLDEN * np.where(above, right - middle, left - middle)
+        at_x = function(x)
+        better = at_x > at_middle
+        left = np.where(above & better, middle, np.where(~above & ~better, x, left))
+        right = np.where(~above & better, middle, np.where(above & ~better, x, right))
+        middle, at_middle = np.where(better, x, middle), np.where(better, at_x, at_middle)
+    return middle, at_middle

@@ -1,0 +1,140 @@
+"""Lines of contact: both flanks are there, as many as the contact ratio says, as long as they must be."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from gearwright.curves.trace import Trace
+
+from gearwright.contact.approach import Approach
+from gearwright.contact.lines import contact_lines, contact_ratios, lines_at
+from gearwright.contact.mesh import mesh_of
+from gearwright.contact.path import ContactPath
+from gearwright.elements.bevel.bevel_pair import BevelPair
+
+from .octoid import with_octoids
+from .test_transmission import BASIC, PAIRS, SPIRAL, every_pair, every_side
+
+TURNS = np.linspace(0.0, 22.5, 7)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Arched(Trace):
+    """Like a zerol gear's: turning back in the middle of the face."""
+
+    middle: float
+    rate: float
+
+    def turn(self, distance):
+        return self.rate * (np.asarray(distance, float) - self.middle) ** 2
+
+    def slope(self, distance):
+        return 2.0 * self.rate * (np.asarray(distance, float) - self.middle)
+
+
+def arched(pair):
+    """The mesh of a pair with such a trace."""
+    mesh = mesh_of(pair)
+    rate = 4e-3
+    pinion = replace(mesh.pinion, trace=Arched(middle=pair.pinion.mean_distance, rate=rate))
+    gear_rate = -rate * mesh.pinion.teeth / mesh.gear.teeth
+    gear = replace(mesh.gear, trace=Arched(middle=pair.pinion.mean_distance, rate=gear_rate))
+    return replace(mesh, pinion=pinion, gear=gear)
+
+
+def both_flanks_are_there(mesh, side):
+    approach, path = Approach(mesh=mesh, side=side), ContactPath(mesh=mesh, side=side)
+    for turn in np.radians(TURNS):
+        lines = lines_at(path, turn)
+        assert lines
+        for line in lines:
+            at = np.full(line.distance.shape, turn + mesh.pitch * line.tooth)
+            np.testing.assert_allclose(approach.lead(at, line.distance, line.polar), 0.0, atol=1e-11)
+            assert np.all(approach.is_on_gear(at, line.distance, line.polar) > -1e-9)
+
+
+@every_side
+@every_pair
+def test_both_flanks_are_on_the_lines(name, side):
+    """The lines are found from the pinion and the law of gearing; the gear's flank comes to them by itself."""
+    both_flanks_are_there(mesh_of(BevelPair(**PAIRS[name])), side)
+    both_flanks_are_there(with_octoids(BevelPair(**PAIRS[name])), side)
+
+
+@every_side
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_so_are_those_of_spirals(side, hand):
+    pair = BevelPair(**BASIC, **SPIRAL, hand=hand)
+    both_flanks_are_there(mesh_of(pair), side)
+    both_flanks_are_there(with_octoids(pair), side)
+
+
+@every_side
+def test_so_are_those_of_arches(side):
+    both_flanks_are_there(arched(BevelPair(**BASIC)), side)
+
+
+@every_side
+@every_pair
+def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, side):
+    pair = BevelPair(**PAIRS[name])
+    path = ContactPath(mesh=mesh_of(pair), side=side)
+    points = path.point(np.linspace(*path.active, 40))
+    normal = np.linalg.svd(points)[2][2]
+    assert np.abs(points @ normal).max() < 1e-11
+    axes = [placement[:3, 2] for placement in pair.placements()]
+    tangent = [np.sin(gear.base_cone_angle) for gear in (pair.pinion, pair.gear)]
+    assert np.abs([axis @ normal for axis in axes]) == pytest.approx(tangent, abs=1e-10)
+
+
+@every_side
+@every_pair
+def test_the_contact_ratio_is_that_of_the_closed_form(name, side):
+    pair = BevelPair(**PAIRS[name])
+    found = contact_ratios(pair, side)
+    assert found.transverse == pytest.approx(pair.sizes()["contact_ratio"].value, abs=1e-11)
+    assert found.overlap == 0.0
+    assert found.total == found.transverse
+
+
+@pytest.mark.parametrize("more", [{}, SPIRAL, {**SPIRAL, "hand": "left"}], ids=["straight", "right", "left"])
+def test_there_are_as_many_lines_on_average_as_the_total_contact_ratio(more):
+    pair = BevelPair(**BASIC, **more)
+    turns = (np.arange(200) + 0.5) / 200.0 * 360.0 / 16
+    found = contact_ratios(pair)
+    assert np.mean([len(contact_lines(pair, turn, samples=2)) for turn in turns]) == pytest.approx(
+        found.total, abs=0.01
+    )
+    assert found.total == pytest.approx(found.transverse + found.overlap, rel=1e-14)
+    ends = pair.pinion.cone_distance, pair.pinion.inner_distance
+    lag = np.tan(np.radians(35.0)) * np.log(ends[0] / ends[1]) / np.sin(pair.pinion.pitch_cone_angle)
+    assert found.overlap == pytest.approx(lag * 16 / (2.0 * np.pi) if more else 0.0, rel=1e-13)
+
+
+def test_a_line_from_end_to_end_leans_by_the_base_spiral_angle():
+    """tan β_b = cos a tan β on the plane of action of a logarithmic spiral, at every cone distance."""
+    lengths = {}
+    for name, more in {"straight": {}, "spiral": SPIRAL}.items():
+        lines = [line for turn in TURNS for line in contact_lines(BevelPair(**BASIC, **more), turn, samples=513)]
+        lengths[name] = max(line.length for line in lines if np.ptp(line.distance) > 10.0 - 1e-9)
+    assert lengths["straight"] == pytest.approx(10.0, rel=1e-12)
+    lean = np.arctan(np.cos(np.radians(20.0)) * np.tan(np.radians(35.0)))
+    assert lengths["spiral"] == pytest.approx(10.0 / np.cos(lean), rel=1e-6)
+
+
+def test_lines_of_a_spiral_end_at_the_ends_or_the_tips():
+    pair = BevelPair(**BASIC, **SPIRAL)
+    path = ContactPath(mesh=mesh_of(pair))
+    for turn in TURNS:
+        for line in contact_lines(pair, turn):
+            for r, polar in zip(line.distance[[0, -1]], line.polar[[0, -1]], strict=True):
+                at_end = min(abs(r - pair.pinion.inner_distance), abs(r - pair.pinion.cone_distance)) < 1e-9
+                assert at_end or np.abs(np.array(path.active) - polar).min() < 1e-9
+
+
+def test_an_arched_tooth_touches_on_both_arms():
+    path = ContactPath(mesh=arched(BevelPair(**BASIC)))
+    arms = [line for line in lines_at(path, 0.0) if line.tooth == 0]
+    middle = path.mesh.pinion.trace.middle
+    assert [line.distance.max() <= middle + 1e-9 for line in arms] == [True, False]
+    np.testing.assert_allclose(arms[0].polar, arms[1].polar[::-1], rtol=1e-12)
