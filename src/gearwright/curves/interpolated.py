@@ -63,9 +63,16 @@ class Interpolated(Family):
         return ()
 
     def _sum(self, weights: Array, u: ArrayLike, value: Callable[[Curve, Array], Array]) -> Array:
-        """Σ weight value (..., d) over the members, at fractions u, broadcast against the weights' places."""
+        """Σ weight value (..., d) over the members, at fractions u, broadcast against the weights' places.
+
+        Grids of u and v repeat their fractions, at which a member is evaluated but once; at a station all but one
+        member have no weight.
+        """
         fractions = np.asarray(u, float)
-        return np.asarray(sum(weights[..., k, None] * value(curve, fractions) for k, curve in enumerate(self.members)))
+        once, places = np.unique(fractions, return_inverse=True)
+        places = places.reshape(fractions.shape)
+        used = np.flatnonzero(np.any(weights.reshape(-1, len(self.members)), axis=0))
+        return np.asarray(sum(weights[..., k, None] * value(self.members[k], once)[places] for k in used))
 
     @cached_property
     def _barycentric(self) -> Array:
