@@ -20,7 +20,7 @@ from ..element import Element, module_in, require_one_pitch
 from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
-from .bevel_checks import check_body, check_cone, check_face, check_given, check_teeth
+from .bevel_checks import check_body, check_cone, check_face, check_given, check_reach, check_teeth
 from .bevel_sizes import bevel_sizes
 from .body import BevelBody
 from .depth_line import DepthLine
@@ -33,6 +33,7 @@ from .tooth import BevelTooth
 from .tooth_ends import ToothEnds
 
 _USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
+_ROOM = 0.95  # of the largest tip radius: teeth that vary keep a land at the root from end to end
 _RELIEF_HEIGHT = 0.6  # modules
 
 
@@ -102,6 +103,7 @@ class BevelGear(Element):
         if check_face(problems, self) and self._is_sized(problems):
             check_teeth(problems, self)
             check_body(problems, self)
+            check_reach(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
 
@@ -240,7 +242,8 @@ class BevelGear(Element):
         """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
         if self.crown_tip_radius is not None:
             return self.crown_tip_radius
-        usual, largest = _USUAL_TIP * self.outer_module, self._sharp_teeth.largest_tip_radius
+        sharp, usual = self._sharp_teeth, _USUAL_TIP * self.outer_module
+        largest = sharp.largest_tip_radius * (_ROOM if sharp.varies else 1.0)
         return min(usual, largest) if largest > 0.0 else usual
 
     @cached_property
