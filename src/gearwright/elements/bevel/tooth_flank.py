@@ -85,9 +85,10 @@ class ToothFlank:
         delta = np.asarray(polar, float)
         if self.relief is None or self.relieved is None:
             return self.thickness / 2.0 - self.form.azimuth_at(delta)
-        below = self.form.azimuth_at(np.minimum(delta, self.relief.begin))
-        above = self.relieved.azimuth(self.relieved.at_polar_angle(delta))
-        return self.thickness / 2.0 - np.where(delta <= self.relief.begin, below, above)
+        azimuth = np.array(self.form.azimuth_at(np.minimum(delta, self.relief.begin)))
+        above = delta > self.relief.begin
+        azimuth[above] = self.relieved.azimuth(self.relieved.at_polar_angle(delta[above]))
+        return self.thickness / 2.0 - azimuth
 
     @cached_property
     def tip_half(self) -> float:
