@@ -83,7 +83,7 @@ def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, si
     normal = np.linalg.svd(points)[2][2]
     assert np.abs(points @ normal).max() < 1e-11
     axes = [placement[:3, 2] for placement in pair.placements()]
-    tangent = [np.sin(gear.base_cone_angle) for gear in (pair.pinion, pair.gear)]
+    tangent = [np.sin(gear.tooth.base_cone_angle) for gear in (pair.pinion, pair.gear)]
     assert np.abs([axis @ normal for axis in axes]) == pytest.approx(tangent, abs=1e-10)
 
 
