@@ -41,7 +41,8 @@ def inversions(section: LoopedSection, motion: Motion, ends: Ends) -> list[Probl
     limit = -_STILL * scale if motion.has_still_points else _NOUGHT * scale
     if np.min(rough - _DOUBTFUL * doubt) > _FAR * np.max(rough):
         return []
-    worst = lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
+    steady = not np.any(np.ptp(least.coefficients(stations), axis=0))  # as of a revolution
+    worst = float(stations[0]) if steady else lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
     value, point = least.exactly(worst)
     if value > limit:
         return _pinches(section, motion, worst, _STILL * scale) if motion.has_still_points else []

@@ -115,11 +115,11 @@ class BevelTooth:
     def profile_half(self, polar: ArrayLike) -> Array:
         """Half the angle (...) of the tooth at polar angles (...) from the root to the face, fillets included."""
         delta = np.asarray(polar, float)
-        proper = self.half_angle(np.maximum(delta, self.form_angle))
-        if self.fillet is None:
-            return proper
-        below = self.fillet.half_angle(np.clip(delta, self.root_angle, self.form_angle))
-        return np.where(delta < self.form_angle, below, proper)
+        found = np.array(self.half_angle(np.maximum(delta, self.form_angle)))
+        below = delta < self.form_angle
+        if self.fillet is not None and below.any():
+            found[below] = self.fillet.half_angle(np.maximum(delta[below], self.root_angle))
+        return found
 
     @property
     def tip_half(self) -> float:

@@ -92,10 +92,11 @@ class ToothFlank:
             turned = self._crown(self.form.parameter_at(delta)) if self.crowning else 0.0
             return self.thickness / 2.0 - plain - turned
         lower = np.minimum(delta, self.relief.begin)
-        below = self.form.azimuth_at(lower) + self._crown(self.form.parameter_at(lower))
-        beyond = self.relieved.at_polar_angle(delta)
-        above = self.relieved.azimuth(beyond) + self._crown(beyond)
-        return self.thickness / 2.0 - np.where(delta <= self.relief.begin, below, above)
+        azimuth = np.array(self.form.azimuth_at(lower) + self._crown(self.form.parameter_at(lower)))
+        relieved = delta > self.relief.begin
+        beyond = self.relieved.at_polar_angle(delta[relieved])
+        azimuth[relieved] = self.relieved.azimuth(beyond) + self._crown(beyond)
+        return self.thickness / 2.0 - azimuth
 
     @cached_property
     def _ends(self) -> tuple[float, float]:
