@@ -10,7 +10,7 @@ from gearwright.cli import main
 from .pages import ROOT, assert_blocks_print_what_stands_below, assert_drawn_alike, blocks, links
 
 PAGE = ROOT / "docs/bevels.md"
-COMMANDS = [line for kind, text in blocks(PAGE) if kind == "sh" for line in text.splitlines()]
+COMMANDS = [line for kind, text in blocks(PAGE) if kind == "sh" for line in text.replace("\\\n", " ").splitlines()]
 PICTURES = ("bevel-gears", "tooth-traces", "depth-tapers", "bevel-bodies")
 
 

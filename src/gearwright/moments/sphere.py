@@ -76,6 +76,8 @@ def _polar_primitives(first: Array, theta: Array, levels: float | None) -> Array
     t = (theta + first)[..., None] / 2.0 + half[..., None] * x
     r = np.ones_like(t) if levels is None else 1.0 / np.cos(t - levels)
     s, c = np.sin(t), np.cos(t)
-    cube, fourth, fifth = r**3 / 3.0, r**4 / 4.0, r**5 / 5.0
-    values = (s * cube, s * s * fourth, s * c * fourth, s**3 * fifth, s * s * c * fifth, s * c * c * fifth)
+    cube = r * r * r
+    fourth = cube * r
+    third, quarter, fifth = s * cube / 3.0, s * fourth / 4.0, s * (fourth * r) / 5.0
+    values = (third, s * quarter, c * quarter, s * s * fifth, s * c * fifth, c * c * fifth)
     return np.stack([(value @ w) * half for value in values])

@@ -74,6 +74,7 @@ class BevelGear(Element):
     tip_relief: float = declared(d.TIP_RELIEF, default=0.0)
     tip_relief_height: float | None = declared(d.BEVEL_TIP_RELIEF_HEIGHT, default=None)
     tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
+    profile_crowning: float = declared(d.PROFILE_CROWNING, default=0.0)
     crowning: float = declared(d.CROWNING, default=0.0)
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
@@ -262,6 +263,7 @@ class BevelGear(Element):
             relief=self.tip_relief,
             relief_height=height,
             relief_power=1 if self.tip_relief_form == "linear" else 2,
+            profile_crowning=self.profile_crowning,
             crowning=self.crowning,
         )
 

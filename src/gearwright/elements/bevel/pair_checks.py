@@ -83,7 +83,10 @@ def _interference(pair: BevelPair, member: int) -> str | None:
     """Why the tips of one member interfere with the roots of the other, at the end where they first do."""
     gears, unit = (pair.pinion, pair.gear), pair.length_unit
     name, mate = ("pinion", "gear")[member], ("gear", "pinion")[member]
-    for distance in (gears[0].cone_distance, gears[0].mean_distance, gears[0].inner_distance):
+    distances = [gears[0].cone_distance]
+    if any(gear.bevel_teeth.varies for gear in gears):
+        distances += [gears[0].mean_distance, gears[0].inner_distance]
+    for distance in distances:
         teeth = pair.teeth_on_sphere(distance)
         own, other = teeth[member], teeth[1 - member]
         limit = interference_limit(own, other)

@@ -31,7 +31,7 @@ def varying_section(member: Callable[[float], SphericalSection], start: float, f
         if not _alike([*members, *expected]):
             break
         found = _through(members, stations.tolist())
-        apart = max(_apart(found.at(float(v)), one) for v, one in zip(looks, expected, strict=True))
+        apart = max(_apart(found, float(v), one) for v, one in zip(looks, expected, strict=True))
         if apart <= _MET:
             return found
     message = (
@@ -64,10 +64,10 @@ def _through(members: list[SphericalSection], stations: list[float]) -> Spherica
     return SphericalSection(loops=tuple(loops))
 
 
-def _apart(one: SphericalSection, other: SphericalSection) -> float:
-    """Greatest distance of points of the same fractions of the same curves."""
+def _apart(section: SphericalSection, v: float, member: SphericalSection) -> float:
+    """Greatest distance of points of the same fractions of the same curves of a section at v and of a member."""
     return max(
-        float(np.max(np.abs(a.point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
-        for first, second in zip(one.loops, other.loops, strict=True)
+        float(np.max(np.abs(a.at(v).point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
+        for first, second in zip(section.loops, member.loops, strict=True)
         for a, b in zip(first.curves, second.curves, strict=True)
     )
