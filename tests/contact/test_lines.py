@@ -4,12 +4,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from gearwright.curves.trace import Trace
 
 from gearwright.contact.approach import Approach
 from gearwright.contact.lines import contact_lines, contact_ratios, lines_at
 from gearwright.contact.mesh import mesh_of
 from gearwright.contact.path import ContactPath
+from gearwright.curves.traces.trace import Trace
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
 from .octoid import with_octoids
@@ -24,6 +24,16 @@ class Arched(Trace):
 
     middle: float
     rate: float
+
+    @property
+    def reach(self):
+        return 0.0, np.inf
+
+    def crown_angle(self, distance):
+        raise NotImplementedError
+
+    def spiral_angle(self, distance):
+        raise NotImplementedError
 
     def turn(self, distance):
         return self.rate * (np.asarray(distance, float) - self.middle) ** 2
@@ -83,7 +93,7 @@ def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, si
     normal = np.linalg.svd(points)[2][2]
     assert np.abs(points @ normal).max() < 1e-11
     axes = [placement[:3, 2] for placement in pair.placements()]
-    tangent = [np.sin(gear.base_cone_angle) for gear in (pair.pinion, pair.gear)]
+    tangent = [np.sin(gear.tooth.base_cone_angle) for gear in (pair.pinion, pair.gear)]
     assert np.abs([axis @ normal for axis in axes]) == pytest.approx(tangent, abs=1e-10)
 
 

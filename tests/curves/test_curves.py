@@ -11,6 +11,7 @@ import pytest
 import gearwright.curves
 from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
+from gearwright.curves.crowned_rolled import CrownedRolled
 from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
 from gearwright.curves.elliptic_arc import EllipticArc
 from gearwright.curves.envelope import Envelope, Tangents
@@ -109,6 +110,16 @@ EXAMPLES = {
     ],
     Octoid: [OCTOID, Octoid(pitch_angle=np.pi / 2.0, pressure_angle=0.3, interval=(1.1, -0.9))],
     RolledInvolute: [RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(-0.2, 0.6))],
+    CrownedRolled: [
+        CrownedRolled(pitch_angle=0.9, flank=OCTOID, amount=0.03, full=0.5, interval=(0.0, 0.5)),
+        CrownedRolled(
+            pitch_angle=0.8,
+            flank=RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(0.0, 0.0)),
+            amount=0.02,
+            full=-0.1,
+            interval=(-0.1, 0.0),
+        ),
+    ],
     RelievedRolled: [
         RelievedRolled(pitch_angle=0.9, flank=OCTOID, amount=0.03, begin=0.1, full=0.5, power=2, interval=(0.1, 0.5)),
         RelievedRolled(

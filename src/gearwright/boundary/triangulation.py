@@ -26,7 +26,7 @@ _CLEARANCE = 0.6  # distance of inner points from the border, by the local spaci
 _CLEAR_OF_SIDES = 0.3  # distance of inner points from the border's sides, by the size wanted there
 _LONG = 1.5  # a side so many times the least spacing may have other border points nearer to its middle than its ends
 _SAMPLED = 0.95  # of the tolerance, where a triangle is sampled; border sides keep 1/1.1 of it by themselves
-_ROUNDS = 8  # insertions after which a triangle beyond the tolerance is refused
+_ROUNDS = 32  # insertions after which a triangle beyond the tolerance is refused; long cones have needed 20
 
 
 @dataclass(frozen=True, kw_only=True)

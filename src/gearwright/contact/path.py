@@ -11,13 +11,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import Chebyshev
 
 from ..arrays import Array, ArrayLike
-from .mesh import Flank, Mesh, Side
+from .graded import Graded
+from .mesh import Mesh, Side
 from .search import crossing
-
-_DEGREE = 32  # of a flank's half angle over the square root of its height, in which its foot is smooth
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,12 +33,13 @@ class ContactPath:
         return 1.0 if self.side == "drive" else -1.0
 
     @cached_property
-    def _fit(self) -> Chebyshev:
-        return _fitted(self.mesh.pinion.flank)
+    def _fit(self) -> Graded:
+        flank = self.mesh.pinion.flank
+        return Graded.of(flank.half_angle, flank.form_angle, flank.face_angle)
 
     def turn(self, polar: ArrayLike) -> Array:
         """The pinion's turn (...) from tooth on pitch line at which it touches at polar angles (...), radians."""
-        return self._azimuth(polar) - self.sense * self._half_angle(polar)
+        return self._azimuth(polar) - self.sense * self._fit.value(polar)
 
     def point(self, polar: ArrayLike) -> Array:
         """Unit vectors (..., 3) of the points of contact where the pinion touches at polar angles (...)."""
@@ -93,35 +92,13 @@ class ContactPath:
 
     def _room(self, polar: Array) -> Array:
         """≥ 0 where some turn makes the flank's tangent square to the pitch line."""
-        slope = np.sin(polar) * self._slope(polar)
+        slope = np.sin(polar) * self._fit.slope(polar)
         return np.hypot(np.cos(polar), slope) - np.sin(polar) / np.tan(self.mesh.pinion.pitch_angle)
 
     def _azimuth(self, polar: ArrayLike) -> Array:
         """Of the point of contact: cos δ cos a − sin δ h′ sin a = sin δ/tan γ, the root through the pitch line."""
         delta = np.asarray(polar, float)
-        across = np.sin(delta) * self._slope(delta)  # h′ sin δ, < 0
+        across = np.sin(delta) * self._fit.slope(delta)  # h′ sin δ, < 0
         along = np.cos(delta)
         wanted = np.sin(delta) / np.tan(self.mesh.pinion.pitch_angle) / np.hypot(along, across)
         return -self.sense * (np.arctan2(across, along) + np.arccos(np.clip(wanted, -1.0, 1.0)))
-
-    def _fraction(self, polar: ArrayLike) -> Array:
-        flank = self.mesh.pinion.flank
-        height = np.clip(np.asarray(polar, float) - flank.form_angle, 0.0, None)
-        return np.sqrt(height / (flank.face_angle - flank.form_angle))
-
-    def _half_angle(self, polar: ArrayLike) -> Array:
-        return self._fit(self._fraction(polar))
-
-    def _slope(self, polar: ArrayLike) -> Array:
-        """dh/dδ, h the half angle: by the square root x of the height's fraction, dx/dδ = 1/(2x · depth)."""
-        flank, x = self.mesh.pinion.flank, np.maximum(self._fraction(polar), 1e-9)
-        return self._fit.deriv()(x) / (2.0 * x * (flank.face_angle - flank.form_angle))
-
-
-def _fitted(flank: Flank) -> Chebyshev:
-    depth = flank.face_angle - flank.form_angle
-
-    def half_angle(x: Array) -> Array:
-        return flank.half_angle(np.clip(flank.form_angle + depth * x * x, flank.form_angle, flank.face_angle))
-
-    return Chebyshev.interpolate(half_angle, _DEGREE, domain=[0.0, 1.0])

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from .bevel_gear import BevelGear
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
+_OF_THE_SIZES = (
+    *("standard", "taper", "iso_method", "profile_shift", "thickness_modification", "mate_teeth"),
+    *("addendum", "dedendum", "addendum_angle", "dedendum_angle", "pressure_angle", "circular_thickness"),
+)
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _FLATTEST = np.radians(89.0)  # polar angle beyond which a plane across the axis runs along the teeth
 
@@ -63,7 +67,7 @@ def check_face(problems: Problems, gear: BevelGear) -> bool:
     if gear.standard != "explicit" or gear.normal_backlash is not None:  # sized by the trace; else `check_reach` does
         require_reach(problems, spiral_of(gear), gear.length_unit)
     of_the_trace = ("trace", "spiral_angle", "cutter_radius", "blade_groups", "face_width")
-    return problems.sound("standard", "taper", "mate_teeth", *of_the_trace)
+    return problems.sound(*_OF_THE_SIZES, *of_the_trace)
 
 
 def check_teeth(problems: Problems, gear: BevelGear) -> None:

@@ -33,7 +33,7 @@ from .tooth import BevelTooth
 from .tooth_ends import ToothEnds
 
 _USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
-_ROOM = 0.95  # of the largest tip radius: teeth that vary keep a land at the root from end to end
+_LEAVES_LAND = 0.99  # of the largest tip radius that fits
 _RELIEF_HEIGHT = 0.6  # modules
 
 
@@ -74,6 +74,7 @@ class BevelGear(Element):
     tip_relief: float = declared(d.TIP_RELIEF, default=0.0)
     tip_relief_height: float | None = declared(d.BEVEL_TIP_RELIEF_HEIGHT, default=None)
     tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
+    profile_crowning: float = declared(d.PROFILE_CROWNING, default=0.0)
     crowning: float = declared(d.CROWNING, default=0.0)
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
@@ -242,8 +243,9 @@ class BevelGear(Element):
         """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
         if self.crown_tip_radius is not None:
             return self.crown_tip_radius
-        sharp, usual = self._sharp_teeth, _USUAL_TIP * self.outer_module
-        largest = sharp.largest_tip_radius * (_ROOM if sharp.varies else 1.0)
+        usual, sharp = _USUAL_TIP * self.outer_module, self._sharp_teeth
+        # a root arc that shrinks to nothing at one end alone would make the section another one there
+        largest = sharp.largest_tip_radius * (_LEAVES_LAND if sharp.varies else 1.0)
         return min(usual, largest) if largest > 0.0 else usual
 
     @cached_property
@@ -262,6 +264,7 @@ class BevelGear(Element):
             relief=self.tip_relief,
             relief_height=height,
             relief_power=1 if self.tip_relief_form == "linear" else 2,
+            profile_crowning=self.profile_crowning,
             crowning=self.crowning,
         )
 

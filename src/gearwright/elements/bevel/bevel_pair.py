@@ -67,6 +67,7 @@ class BevelPair(Pair):
         d.BEVEL_TIP_RELIEF_HEIGHT, default=None, members="both"
     )
     tip_relief_form: str | tuple[str, str] = declared(d.TIP_RELIEF_FORM, default="linear", members="both")
+    profile_crowning: float | tuple[float, float] = declared(d.PROFILE_CROWNING, default=0.0, members="both")
     crowning: float | tuple[float, float] = declared(d.CROWNING, default=0.0, members="both")
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from .bevel_pair import BevelPair
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
+_OF_THE_SIZES = (
+    *("face_width", "standard", "taper", "iso_method", "profile_shift", "thickness_modification"),
+    *("working_depth", "whole_depth", "gear_addendum", "pressure_angle", "spiral_angle"),
+)
 _CUT = 1e-7  # radians on the sphere: far above rounding, far below any gear's accuracy
 
 
@@ -33,7 +37,7 @@ def check_pair(problems: Problems, pair: BevelPair) -> bool:
         problems.add("face_width", refusals.wide_face(pair.cone_distance, pair.length_unit))
     if pair.standard == "explicit":
         _check_depths(problems, pair)
-    return problems.sound("face_width", "whole_depth", "gear_addendum", "standard", "taper")
+    return problems.sound(*_OF_THE_SIZES)
 
 
 def _check_depths(problems: Problems, pair: BevelPair) -> None:
@@ -79,7 +83,10 @@ def _interference(pair: BevelPair, member: int) -> str | None:
     """Why the tips of one member interfere with the roots of the other, at the end where they first do."""
     gears, unit = (pair.pinion, pair.gear), pair.length_unit
     name, mate = ("pinion", "gear")[member], ("gear", "pinion")[member]
-    for distance in (gears[0].cone_distance, gears[0].mean_distance, gears[0].inner_distance):
+    distances = [gears[0].cone_distance]
+    if any(gear.bevel_teeth.varies for gear in gears):
+        distances += [gears[0].mean_distance, gears[0].inner_distance]
+    for distance in distances:
         teeth = pair.teeth_on_sphere(distance)
         own, other = teeth[member], teeth[1 - member]
         limit = interference_limit(own, other)

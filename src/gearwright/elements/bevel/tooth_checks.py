@@ -99,6 +99,8 @@ def _of_one(teeth: BevelTeeth, tooth: BevelTooth, distance: float, nominal: floa
     yield from _roots(teeth, tooth, nominal, unit)
     if tooth.relief is not None:
         yield from _relief(teeth, tooth, unit)
+    elif tooth.profile_crowning and tooth.tip_half <= 0.0:
+        yield "profile_crowning", "leaves no land at the tip; a smaller one does", _NONE
 
 
 def _outer_height(teeth: BevelTeeth, polar: float, distance: float) -> float:

@@ -30,7 +30,7 @@ def varying_loop(member: Callable[[float], Loop], start: float, finish: float) -
         if not _alike([*members, *expected]):
             break
         found = _through(members, stations.tolist())
-        apart = max(_apart(found.at(float(v)), one) for v, one in zip(looks, expected, strict=True))
+        apart = max(_apart(found, float(v), one) for v, one in zip(looks, expected, strict=True))
         if apart <= _MET:
             return found
     message = (
@@ -53,9 +53,9 @@ def _through(members: list[Loop], stations: list[float]) -> Loop:
     return Loop(curves=interpolated([loop.curves for loop in members], stations), copies=members[0].copies)
 
 
-def _apart(one: Loop, other: Loop) -> float:
-    """Greatest distance of points of the same fractions of the same curves."""
+def _apart(loop: Loop, v: float, member: Loop) -> float:
+    """Greatest distance of points of the same fractions of the same curves of a loop at v and of a member."""
     return max(
-        float(np.max(np.abs(a.point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
-        for a, b in zip(one.curves, other.curves, strict=True)
+        float(np.max(np.abs(a.at(v).point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
+        for a, b in zip(loop.curves, member.curves, strict=True)
     )
