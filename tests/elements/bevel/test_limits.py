@@ -110,10 +110,10 @@ def test_what_cannot_be_is_refused_with_the_way_out(base, more, subject, words):
 
 def test_several_are_told_in_one_error():
     found = problems_of(
-        GEAR, {"bore": 60.0, "crowning": 4.0, "standard": "explicit", "profile_shift": 0.1, "tip_relief_height": 1.0}
+        GEAR, {"bore": 60.0, "crowning": 4.0, "backlash": 0.1, "normal_backlash": 0.1, "tip_relief_height": 1.0}
     )
     names = {subject.split(" = ")[0] for subject in found}
-    assert names >= {"bore", "crowning", "profile_shift", "tip_relief_height"}
+    assert names >= {"bore", "crowning", "backlash", "tip_relief_height"}
     found = problems_of(GEAR, {"ends": "spherical", **HUB, "keyway_width": 4.0, "keyway_depth": 2.0})
     assert {subject.split(" = ")[0] for subject in found} == {"hub_diameter", "keyway_width", "keyway_depth"}
 
