@@ -204,6 +204,14 @@ def test_a_hub_s_length_counts_from_its_own_end():
     assert np.ptp(front[inside]) == pytest.approx(31.0, abs=1e-9)
 
 
+def test_a_hub_longer_than_the_body_stands_out_of_its_front():
+    short, long = (replace(PLAIN, **HUB, mounting_distance=72.0, hub_length=length) for length in (45.0, 50.0))
+    area = np.pi * (HUB["hub_diameter"] ** 2 - HUB["bore"] ** 2) / 4.0
+    one, other = (about_apex(gear.solid.moments) for gear in (short, long))
+    assert (other - one)[0, 0] == pytest.approx(5.0 * area, rel=1e-9)
+    assert (other - one)[0, 3] == pytest.approx(5.0 * area * (72.0 - 47.5), rel=1e-9)
+
+
 @cache
 def mesh_of(gear):
     return gear.polyhedron(0.05)
