@@ -33,6 +33,7 @@ from .tooth import BevelTooth
 from .tooth_ends import ToothEnds
 
 _USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
+_LEAVES_LAND = 0.99  # of the largest tip radius that fits
 _RELIEF_HEIGHT = 0.6  # modules
 
 
@@ -241,7 +242,9 @@ class BevelGear(Element):
         """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
         if self.crown_tip_radius is not None:
             return self.crown_tip_radius
-        usual, largest = _USUAL_TIP * self.outer_module, self._sharp_teeth.largest_tip_radius
+        usual, sharp = _USUAL_TIP * self.outer_module, self._sharp_teeth
+        # a root arc that shrinks to nothing at one end alone would make the section another one there
+        largest = sharp.largest_tip_radius * (_LEAVES_LAND if sharp.varies else 1.0)
         return min(usual, largest) if largest > 0.0 else usual
 
     @cached_property
