@@ -22,6 +22,7 @@ from .ends import Ends
 from .motion import Motion
 
 FULL_TURN = 2.0 * np.pi
+_ROUNDED = 1e-11  # radians: a cylinder's line may lean so far by the rounding of its ends
 _CLOSED = 1e-12  # how far from a full turn still closes: some roundings of 2π
 
 
@@ -97,4 +98,6 @@ def _cone(line: Line) -> Cone | None:
     sense = 1.0 if across > 0.0 else -1.0
     angle = float(np.arctan2(sense * across, sense * up))
     distance = float(first_rho * np.sin(angle) + first_z * np.cos(angle))
-    return Cone(angle=angle, distance=distance) if angle <= np.pi / 2.0 and distance > 0.0 else None
+    if angle > np.pi / 2.0 + _ROUNDED or distance <= 0.0:
+        return None
+    return Cone(angle=min(angle, np.pi / 2.0), distance=distance)

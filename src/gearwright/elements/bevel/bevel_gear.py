@@ -20,7 +20,7 @@ from ..element import Element, module_in, require_one_pitch
 from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
-from .bevel_checks import check_body, check_cone, check_face, check_given, check_teeth
+from .bevel_checks import check_body, check_cone, check_face, check_given, check_reach, check_teeth
 from .bevel_sizes import bevel_sizes
 from .body import BevelBody
 from .depth_line import DepthLine
@@ -104,6 +104,7 @@ class BevelGear(Element):
         if check_face(problems, self) and self._is_sized(problems):
             check_teeth(problems, self)
             check_body(problems, self)
+            check_reach(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
 

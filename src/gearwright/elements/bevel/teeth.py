@@ -8,13 +8,14 @@ from typing import Literal
 
 import numpy as np
 
+from ...sections.loop import Loop
 from ...sections.sphere import SphericalSection
 from .depth_line import DepthLine
 from .spherical_flank import Form
-from .tooth import BevelTooth
+from .tooth import BevelTooth, with_hole
 from .tooth_ends import ToothEnds
 from .tooth_flank import Relief
-from .varying_section import varying_section
+from .varying_section import varying_loop
 
 _PLACES = {"inner": 0.0, "mean": 0.5, "outer": 1.0}
 
@@ -138,8 +139,16 @@ class BevelTeeth:
         """Least polar angle of the roots."""
         return min(tooth.root_angle for tooth in self.looked_at.values())
 
+    @cached_property
+    def outline(self) -> Loop:
+        """All teeth, by one of them; it varies where they do.
+
+        Raises GeometryError where they change their kind, or not evenly, between the ends.
+        """
+        if not self.varies:
+            return self.outer.outline()
+        return varying_loop(lambda v: self.tooth(v).outline(), self.level("inner"), self.level("outer"))
+
     def section(self, hole_angle: float | None = None) -> SphericalSection:
         """The gear's section, full or to a hole of a polar angle; it varies where the teeth do."""
-        if not self.varies:
-            return self.outer.section(hole_angle)
-        return varying_section(lambda v: self.tooth(v).section(hole_angle), self.level("inner"), self.level("outer"))
+        return with_hole(self.outline, hole_angle)

@@ -148,25 +148,24 @@ class BevelTooth:
         """Half the least angle of the tooth between root and flank."""
         return self._foot_half if self.fillet is None else self.fillet.waist
 
-    def section(self, hole_angle: float | None = None) -> SphericalSection:
-        """The gear's section: all teeth, full to the axis, or to a circular hole of a polar angle.
+    def outline(self) -> Loop:
+        """All teeth, by one of them.
 
         A flank is a fillet (with a tip radius), the form, and a relieved part (with relief), whatever the numbers; the
         root arc vanishes with the land of the crown gear's tip, and radial roots have a meridian only below the form.
         """
         tip, gap, middle = self.tip_half, self.root_space / 2.0, np.pi / self.teeth
         root = Parallel(polar_angle=self.root_angle, interval=(middle - gap, middle + gap))
-        outline = gear_loop(
+        return gear_loop(
             rising=[*self._foot(), *self.tooth_flank.curves()],
             tip=Parallel(polar_angle=self.face_angle, interval=(-tip, tip)),
             root=root if gap > 0.0 else None,
             teeth=self.teeth,
         )
-        loops = [outline]
-        if hole_angle is not None:
-            hole = Parallel(polar_angle=hole_angle, interval=(0.0, -2.0 * np.pi / self.teeth))
-            loops.append(Loop(curves=(hole,), copies=self.teeth))
-        return SphericalSection(loops=tuple(loops))
+
+    def section(self, hole_angle: float | None = None) -> SphericalSection:
+        """The gear's section: all teeth, full to the axis, or to a circular hole of a polar angle."""
+        return with_hole(self.outline(), hole_angle)
 
     def _foot(self) -> list[Curve]:
         """Curves of the clockwise side from the root cone to the flank proper."""
@@ -175,3 +174,11 @@ class BevelTooth:
         if self.root_angle >= self.flank.least_polar * (1.0 - NEXT_TO_NOTHING):
             return []
         return [Meridian(azimuth=-self._foot_half, interval=(self.root_angle, self.flank_start))]
+
+
+def with_hole(outline: Loop, hole_angle: float | None) -> SphericalSection:
+    """The section of an outline of teeth, full to the axis, or to a circular hole of a polar angle."""
+    if hole_angle is None:
+        return SphericalSection(loops=(outline,))
+    hole = Parallel(polar_angle=hole_angle, interval=(0.0, -2.0 * np.pi / outline.copies))
+    return SphericalSection(loops=(outline, Loop(curves=(hole,), copies=outline.copies)))
