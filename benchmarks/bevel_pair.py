@@ -7,7 +7,7 @@ tessellation of them to the same tolerance, which puts fewer on its splines. Pai
 along the face, it does not have: two of them by us alone, and of the 13/44 teeth of one how many stand at the peer's
 tips when they are spiral.
 
-All times are CPU seconds. What limits us: where teeth are alike all along, the checks of how mates run; where they
+All times are CPU seconds. What limits us: where teeth are alike all along, half is checks of how mates run; where they
 vary, proving members sound at nine places, and quadratures of their moments; in polyhedra, the triangulation of the
 conical end faces. What limits the peer: splines fitted and sewn.
 

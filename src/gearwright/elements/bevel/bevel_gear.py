@@ -9,7 +9,6 @@ from typing import Literal
 import numpy as np
 
 from ...curves.traces.trace import Trace
-from ...errors import ParameterError
 from ...parameters import Problems, Size, declared
 from ...solids.solid import Solid
 from ...solids.swept import Swept
@@ -17,7 +16,6 @@ from .. import declarations as d
 from .. import remarks
 from ..blanks.blank import Blank
 from ..element import Element, module_in, require_one_pitch
-from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
 from .bevel_checks import check_body, check_cone, check_face, check_given, check_reach, check_teeth
@@ -25,7 +23,7 @@ from .bevel_sizes import bevel_sizes
 from .body import BevelBody
 from .depth_line import DepthLine
 from .pitch_cone import pitch_cone_angle
-from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, add_refusals, explicit, taper_of
+from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, design_of, explicit, is_sized, taper_of
 from .spiral import HOBBED, MILLED, spiral_of
 from .spiral_checks import require_spiral
 from .teeth import BevelTeeth
@@ -101,19 +99,12 @@ class BevelGear(Element):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         check_cone(problems, self)
         check_given(problems, self)
-        if check_face(problems, self) and self._is_sized(problems):
+        if check_face(problems, self) and is_sized(problems, self):
             check_teeth(problems, self)
             check_body(problems, self)
             check_reach(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
-
-    def _is_sized(self, problems: Problems) -> bool:
-        try:
-            return bool(self.proportions)
-        except ParameterError as error:
-            add_refusals(problems, error, "standard")
-            return False
 
     @cached_property
     def outer_module(self) -> float:
@@ -165,7 +156,8 @@ class BevelGear(Element):
     def proportions(self) -> Proportions:
         """Heights, their angles and the thickness before backlash, as given or as the standard has them."""
         if self.standard != "explicit":
-            found = self._sizing.proportions(self._design)[0]
+            teeth = (self.teeth, self.mate_teeth or self.teeth)
+            found = Sizing.of(self).proportions(design_of(self, teeth, self._shaft_angle))[0]
             return found if self.circular_thickness is None else replace(found, thickness=self.circular_thickness)
         module = self.outer_module
         found = explicit(
@@ -177,23 +169,6 @@ class BevelGear(Element):
         )
         given = {"addendum_angle": self.addendum_angle, "dedendum_angle": self.dedendum_angle}
         return replace(found, **{name: float(np.radians(angle)) for name, angle in given.items() if angle is not None})
-
-    @property
-    def _sizing(self) -> Sizing:
-        return Sizing.of(self)
-
-    @property
-    def _design(self) -> BevelDesign:
-        return BevelDesign(
-            teeth=(self.teeth, self.mate_teeth or self.teeth),
-            module=self.outer_module,
-            shaft_angle=self._shaft_angle,
-            face_width=self.face_width,
-            pressure_angle=float(np.radians(self.pressure_angle)),
-            spiral_angle=float(np.radians(self.spiral_angle)),
-            cutter_radius=self.cutter_radius,
-            blade_groups=self.blade_groups,
-        )
 
     @property
     def member(self) -> BevelMember:
@@ -306,6 +281,15 @@ class BevelGear(Element):
         return [
             *remarks.wide_face(self.face_width, self.cone_distance, unit),
             *remarks.unusual_depth("addendum", self.proportions.addendum, self.outer_module, unit, 1),
+            *self.tooth_remarks,
+        ]
+
+    @property
+    def tooth_remarks(self) -> list[str]:
+        """What is unusual about the shape of its teeth."""
+        return [
+            *remarks.thin_tip(self.sizes()["tip_thickness"].value, self.outer_module, self.length_unit),
+            *(remarks.undercut_by_crown(self.teeth) if self.bevel_teeth.undercut else []),
         ]
 
     @property

@@ -135,6 +135,11 @@ class BevelTeeth:
         return {"outer": self.outer, "mean": self.mean, "inner": self.inner}
 
     @property
+    def undercut(self) -> bool:
+        """Whether the generating crown gear cuts away some of the flanks somewhere."""
+        return any(tooth.fillet is not None and tooth.fillet.undercuts for tooth in self.looked_at.values())
+
+    @property
     def least_root_angle(self) -> float:
         """Least polar angle of the roots."""
         return min(tooth.root_angle for tooth in self.looked_at.values())

@@ -7,7 +7,6 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
 from ...curves.crowned_rolled import CrownedRolled
@@ -55,6 +54,8 @@ class ToothFlank:
 
         It ends where, with all of the relief, it is on the face cone. Raises ValueError where the form ends before.
         """
+        from scipy.optimize import brentq
+
         relief = self.relief
         if relief is None:
             return None
