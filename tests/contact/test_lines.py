@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from gearwright.curves.trace import Trace
+from gearwright.curves.traces.trace import Trace
 
 from gearwright.contact.approach import Approach
 from gearwright.contact.lines import contact_lines, contact_ratios, lines_at
