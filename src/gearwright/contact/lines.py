@@ -12,8 +12,6 @@ from .mesh import Side, mesh_of
 from .path import ContactPath
 from .search import stretches
 
-_LOOKED_AT = 129  # cone distances among which lines of contact are found
-
 
 @dataclass(frozen=True, kw_only=True)
 class ContactLine:
@@ -57,7 +55,7 @@ def contact_ratios(pair: BevelPair, side: Side = "drive") -> ContactRatios:
     The total is the turn from a tooth's first touching, on whatever sphere, to its last, over the pitch.
     """
     path = ContactPath(mesh=mesh_of(pair), side=side)
-    first, last = first_and_last(path)
+    first, last = path.first_and_last
     least, most = path.mesh.pinion.turned
     return ContactRatios(
         transverse=path.transverse_ratio,
@@ -72,9 +70,9 @@ def lines_at(path: ContactPath, turn: float, samples: int = 33) -> tuple[Contact
     One shorter than 1/128 of the face may be passed over.
     """
     pitch, trace = path.mesh.pitch, path.mesh.pinion.trace
-    first, last = first_and_last(path)
+    first, last = path.first_and_last
     teeth = np.arange(np.ceil((first - turn) / pitch - 1e-9), np.floor((last - turn) / pitch + 1e-9) + 1.0, dtype=int)
-    grid = np.repeat(_spheres(path)[:, None], len(teeth), axis=1)
+    grid = np.repeat(path.spheres[:, None], len(teeth), axis=1)
     columns, inner, outer = stretches(
         lambda at, r: path.room(turn + teeth[at] * pitch + trace.turn(r), r), grid
     )  # fmt: skip
@@ -88,34 +86,3 @@ def lines_at(path: ContactPath, turn: float, samples: int = 33) -> tuple[Contact
 def _line(path: ContactPath, tooth: int, turn: float, distance: Array) -> ContactLine:
     polar = path.polar(turn + path.mesh.pinion.trace.turn(distance))
     return ContactLine(tooth=tooth, distance=distance, polar=polar, points=distance[:, None] * path.point(polar))
-
-
-def _spheres(path: ContactPath) -> Array:
-    """Cone distances from the least to the greatest that both members have, with those where a trace turns back."""
-    reaches = np.array([path.mesh.pinion.reach, path.mesh.gear.reach])
-    between = np.linspace(reaches[:, 0].max(), reaches[:, 1].min(), _LOOKED_AT)
-    return np.union1d(between, path.mesh.pinion.bends)
-
-
-def first_and_last(path: ContactPath) -> tuple[float, float]:
-    """Turns of the pinion between which a tooth touches anywhere.
-
-    It begins and ends at a tip or a foot, on the sphere whose part of the tooth is furthest ahead or behind.
-    """
-    spheres = _spheres(path)
-    pinion, gear = path.mesh.pinion, path.mesh.gear
-    found = []
-    for which in (0, 1):
-
-        def room(_: Array, r: Array, which: int = which) -> Array:
-            """≥ 0 where both have their ends further out and further in."""
-            polar = path.active(r)[which]
-            levels = pinion.level(polar, r), gear.level(path.gear_polar(polar), r)
-            ways = [way for one, v in zip((pinion, gear), levels, strict=True) for way in (v - one.inner, one.outer - v)]
-            return np.min(ways, axis=0)
-
-        _, inner, outer = stretches(room, spheres[:, None])
-        r = np.concatenate([inner, outer, *(spheres[(spheres > a) & (spheres < b)] for a, b in zip(inner, outer, strict=True))])
-        found.append(path.turn(path.active(r)[which]) - pinion.trace.turn(r))
-    turns = np.concatenate(found)
-    return float(turns.min()), float(turns.max())

@@ -66,9 +66,13 @@ class Member:
 
     def room(self, polar: Array, distance: ArrayLike) -> Array:
         """≥ 0 (...) where the flank is: the least of the angles to its foot and tip and of the ways to its ends."""
+        heights = self.height_room(polar, self.level(polar, distance))
+        return np.minimum(heights, self.end_room(polar, distance))
+
+    def end_room(self, polar: Array, distance: ArrayLike) -> Array:
+        """≥ 0 (...) between its ends: the lesser way to them, over the outer cone distance."""
         level = self.level(polar, distance)
-        ends = np.minimum(level - self.inner, self.outer - level) / self.outer
-        return np.minimum(self.height_room(polar, level), ends)
+        return np.minimum(level - self.inner, self.outer - level) / self.outer
 
     @cached_property
     def heights(self) -> tuple[float, float]:

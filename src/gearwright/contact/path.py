@@ -13,11 +13,12 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial import Chebyshev
 
-from ..arrays import Array, ArrayLike
+from ..arrays import Array, ArrayLike, Indices
 from .mesh import Mesh, Side
-from .search import crossing
+from .search import crossing, stretches
 
 _DEGREE = 40  # of a flank's half angle over the square root of its height above the cusp, in which it is analytic
+_LOOKED_AT = 129  # cone distances among which the ends of teeth are seen
 _ROUNDING = 1e-12  # radians: how far off the foot a turn is still well found
 
 
@@ -96,6 +97,34 @@ class ContactPath:
 
         return np.where(room(end) >= -_ROUNDING, end, crossing(room, end, pitch))
 
+    @cached_property
+    def spheres(self) -> Array:
+        """Cone distances from the least to the greatest that both members have, with those where a trace turns back."""
+        reaches = np.array([self.mesh.pinion.reach, self.mesh.gear.reach])
+        between = np.linspace(reaches[:, 0].max(), reaches[:, 1].min(), _LOOKED_AT)
+        return np.union1d(between, self.mesh.pinion.bends)
+
+    @cached_property
+    def first_and_last(self) -> tuple[float, float]:
+        """Turns of the pinion between which a tooth touches on whatever sphere, radians.
+
+        It begins and ends at a tip or a foot, on the sphere on which the tooth is furthest ahead or behind.
+        """
+        turns = np.concatenate([self._turns_at_limit(0), self._turns_at_limit(1)])
+        return float(turns.min()), float(turns.max())
+
+    def _turns_at_limit(self, which: int) -> Array:
+        """Turns (n,) at which a tooth begins (0) or ceases (1) to touch on the spheres where neither has ended."""
+
+        def room(_: Indices, r: Array) -> Array:
+            polar = self.active(r)[which]
+            return np.minimum(self.mesh.pinion.end_room(polar, r), self.mesh.gear.end_room(self.gear_polar(polar), r))
+
+        _, inner, outer = stretches(room, self.spheres[:, None])
+        between = [self.spheres[(self.spheres > a) & (self.spheres < b)] for a, b in zip(inner, outer, strict=True)]
+        r = np.concatenate([inner, outer, *between])
+        return np.asarray(self.turn(self.active(r)[which]) - self.mesh.pinion.trace.turn(r))
+
     @property
     def transverse_ratio(self) -> float:
         """Contact ratio on the sphere at mid-face: turn while a tooth touches over the pitch."""
@@ -110,6 +139,10 @@ class ContactPath:
         return Chebyshev.interpolate(
             lambda x: flank.form_half(np.clip(flank.cusp + x * x, *self.mesh.pinion.heights)), _DEGREE, domain=ends
         )
+
+    @cached_property
+    def _derivative(self) -> Chebyshev:
+        return self._fit.deriv()
 
     @cached_property
     def _inverse(self) -> Chebyshev:
@@ -151,4 +184,4 @@ class ContactPath:
     def _slope(self, polar: ArrayLike) -> Array:
         """dh/dδ, h the half angle: by the root x of the height, dx/dδ = 1/(2x)."""
         x = np.maximum(self._root(polar), 1e-9)
-        return self._fit.deriv()(x) / (2.0 * x)
+        return self._derivative(x) / (2.0 * x)

@@ -44,7 +44,8 @@ def stretches(function: Callable[[Indices, Array], Array], grid: Array) -> tuple
     passed over. A column has none, one or several.
     """
     every = np.arange(grid.shape[1], dtype=np.int64)
-    good = np.pad(np.stack([function(every, x) for x in grid]) >= 0.0, ((1, 1), (0, 0)))
+    values = function(np.tile(every, len(grid)), grid.ravel()).reshape(grid.shape)
+    good = np.pad(values >= 0.0, ((1, 1), (0, 0)))
     columns, first = np.nonzero((good[1:-1] & ~good[:-2]).T)
     _, last = np.nonzero((good[1:-1] & ~good[2:]).T)
     low, high = grid[first, columns], grid[last, columns]
