@@ -4,12 +4,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from gearwright.curves.traces.trace import Trace
 
 from gearwright.contact.approach import Approach
 from gearwright.contact.lines import contact_lines, contact_ratios, lines_at
 from gearwright.contact.mesh import mesh_of
 from gearwright.contact.path import ContactPath
+from gearwright.curves.traces.trace import Trace
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
 from .octoid import with_octoids

@@ -33,6 +33,7 @@ from .tooth import BevelTooth
 from .tooth_ends import ToothEnds
 
 _USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
+_LEAVES_A_LAND = 0.95  # of the largest tip radius
 _RELIEF_HEIGHT = 0.6  # modules
 
 
@@ -237,10 +238,16 @@ class BevelGear(Element):
 
     @property
     def generating_tip_radius(self) -> float:
-        """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
+        """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits.
+
+        Where teeth vary, what fits leaves a land at either end: a root that is round at one end only has there a curve
+        less than elsewhere.
+        """
         if self.crown_tip_radius is not None:
             return self.crown_tip_radius
         usual, largest = _USUAL_TIP * self.outer_module, self._sharp_teeth.largest_tip_radius
+        if self._sharp_teeth.varies:
+            largest *= _LEAVES_A_LAND
         return min(usual, largest) if largest > 0.0 else usual
 
     @cached_property

@@ -9,19 +9,25 @@ from .meshing import seat
 from .tooth import BevelTooth
 
 _SAMPLES = 2001  # positions of a tip while it is inside the other's teeth
+_BELOW = 9  # points of the flank between pitch cone and tip that are followed as well where the forms differ
 
 
 def cut_depth(member: BevelTooth, mate: BevelTooth, shaft_angle: float) -> float:
     """Depth (radians on the unit sphere) to which a mate's tips cut into a member; ≤ 0 is none.
 
     The ends of the mate's flank are followed through the member's teeth, fillets and roots included, on the whole way
-    that they are within its face cone, not along the line of action only.
+    that they are within its face cone, not along the line of action only. Depths into flanks and fillets are along
+    the circle about the member's axis. Teeth of one form cut nowhere else; where forms differ, their flanks may.
     """
-    return max(_depth(member, mate, shaft_angle, polar, half) for polar, half in _corners(mate))
+    points = _corners(mate)
+    if member.form != mate.form:
+        polar = np.linspace(mate.pitch_angle, mate.face_angle, _BELOW, endpoint=False)
+        points += zip(polar.tolist(), mate.half_angle(polar).tolist(), strict=True)
+    return max(_depth(member, mate, shaft_angle, polar, half) for polar, half in points)
 
 
 def _corners(tooth: BevelTooth) -> list[tuple[float, float]]:
-    """Polar angles and half angles of where the form ends and, with relief, of the tip; the other side mirrors them."""
+    """Polar angles and half angles of the tip and, with relief, of where it begins; the other side mirrors them."""
     corners = [(tooth.face_angle, tooth.tip_half)]
     if tooth.relief is not None:
         corners.append((tooth.relief.begin, float(tooth.half_angle(tooth.relief.begin))))

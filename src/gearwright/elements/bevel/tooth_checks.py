@@ -76,7 +76,7 @@ def _roots(teeth: BevelTeeth, tooth: BevelTooth, nominal: float, unit: str) -> F
     tip = tooth.fillet.crown_tip
     if tip.largest_radius <= 0.0:
         yield "dedendum", _POINTED_CROWN
-    elif tip.radius > tip.largest_radius * (1.0 + 1e-12):
+    elif tip.radius > tip.largest_radius * (1.0 + 1e-12) or (teeth.varies and tip.land <= 0.0):
         most = rounded_down(tip.largest_radius * teeth.tip_radius_scale(tooth.root_angle))
         yield (
             "crown_tip_radius",
