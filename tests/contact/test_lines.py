@@ -25,6 +25,16 @@ class Arched(Trace):
     middle: float
     rate: float
 
+    @property
+    def reach(self):
+        return 0.0, np.inf
+
+    def crown_angle(self, distance):
+        raise NotImplementedError
+
+    def spiral_angle(self, distance):
+        raise NotImplementedError
+
     def turn(self, distance):
         return self.rate * (np.asarray(distance, float) - self.middle) ** 2
 
@@ -49,8 +59,10 @@ def both_flanks_are_there(mesh, side):
         assert lines
         for line in lines:
             at = np.full(line.distance.shape, turn + mesh.pitch * line.tooth)
-            np.testing.assert_allclose(approach.lead(at, line.distance, line.polar), 0.0, atol=1e-11)
-            assert np.all(approach.is_on_gear(at, line.distance, line.polar) > -1e-9)
+            level = mesh.pinion.level(line.polar, line.distance)
+            np.testing.assert_allclose(approach.lead(at, level, line.polar), 0.0, atol=1e-11)
+            assert np.all(approach.room(at, level, line.polar) > -1e-9)
+            assert np.all(mesh.pinion.room(line.polar, line.distance) > -1e-9)
 
 
 @every_side
@@ -79,11 +91,11 @@ def test_so_are_those_of_arches(side):
 def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, side):
     pair = BevelPair(**PAIRS[name])
     path = ContactPath(mesh=mesh_of(pair), side=side)
-    points = path.point(np.linspace(*path.active, 40))
+    points = path.point(np.linspace(*path.heights, 40))
     normal = np.linalg.svd(points)[2][2]
     assert np.abs(points @ normal).max() < 1e-11
     axes = [placement[:3, 2] for placement in pair.placements()]
-    tangent = [np.sin(gear.base_cone_angle) for gear in (pair.pinion, pair.gear)]
+    tangent = [np.sin(gear.tooth.base_cone_angle) for gear in (pair.pinion, pair.gear)]
     assert np.abs([axis @ normal for axis in axes]) == pytest.approx(tangent, abs=1e-10)
 
 

@@ -1,4 +1,4 @@
-"""Roots, signs and maxima of many functions of one variable at once: column i of every array belongs to the i-th function."""
+"""Roots, signs and maxima of many functions of one variable at once: column i of arrays belongs to the i-th one."""
 
 from __future__ import annotations
 

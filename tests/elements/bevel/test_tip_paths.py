@@ -48,7 +48,7 @@ def deepest(teeth, shaft, member, below=False):
     found = []
     for angle in np.arange(TURNS) / TURNS * 2.0 * np.pi / teeth[0].teeth:
         placed = meshing_placements(np.radians(shaft), teeth[0].teeth, teeth[1].teeth, angle)
-        for k in range(-3, 4):
+        for k in range(-2, 3):
             image = placed[1 - member][:3, :3] @ turn(2.0 * np.pi * k / mate.teeth, 3)
             polar, azimuth = polar_and_azimuth(points @ (placed[member][:3, :3].T @ image).T)
             off = np.abs(azimuth - pitch * np.round(azimuth / pitch))

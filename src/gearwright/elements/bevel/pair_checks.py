@@ -113,10 +113,10 @@ def _cutting(pair: BevelPair, member: int, depth: float, outward: float) -> str:
     """Tips cut to a depth on a sphere, so many times nearer to the apex than the outer end."""
     unit, name, mate = pair.length_unit, _NAMES[member], _NAMES[1 - member]
     if pair.pinion.tooth_form != pair.gear.tooth_form:
+        more = f"{_MORE_PLAY * depth * outward:.2g} {unit} more on the outer pitch circle"
         return (
             f"interference: flanks of two forms do not fit into each other: the {name}'s cut {depth:.3g} {unit} into"
-            f" the {mate}'s; {_MORE_PLAY * depth * outward:.2g} {unit} more on the outer pitch circle keep them apart, or"
-            " teeth of one form"
+            f" the {mate}'s; {more} keep them apart, or teeth of one form"
         )
     has_fillet = (pair.pinion, pair.gear)[1 - member].root == "fillet"
     rounder = f" a smaller crown tip radius of the {mate}" if has_fillet else ""

@@ -9,7 +9,6 @@ from .meshing import seat
 from .tooth import BevelTooth
 
 _SAMPLES = 2001  # positions of a tip while it is inside the other's teeth
-_BELOW = 9  # points of the flank between pitch cone and tip that are followed as well where the forms differ
 
 
 def cut_depth(member: BevelTooth, mate: BevelTooth, shaft_angle: float) -> float:
@@ -17,13 +16,10 @@ def cut_depth(member: BevelTooth, mate: BevelTooth, shaft_angle: float) -> float
 
     The ends of the mate's flank are followed through the member's teeth, fillets and roots included, on the whole way
     that they are within its face cone, not along the line of action only. Depths into flanks and fillets are along
-    the circle about the member's axis. Teeth of one form cut nowhere else; where forms differ, their flanks may.
+    the circle about the member's axis. Flanks of two forms part from each other all the way to the tips, so that
+    these cut deepest there too.
     """
-    points = _corners(mate)
-    if member.form != mate.form:
-        polar = np.linspace(mate.pitch_angle, mate.face_angle, _BELOW, endpoint=False)
-        points += zip(polar.tolist(), mate.half_angle(polar).tolist(), strict=True)
-    return max(_depth(member, mate, shaft_angle, polar, half) for polar, half in points)
+    return max(_depth(member, mate, shaft_angle, polar, half) for polar, half in _corners(mate))
 
 
 def _corners(tooth: BevelTooth) -> list[tuple[float, float]]:
