@@ -19,7 +19,7 @@ class Surface:
         u, v = (np.linspace(0.0, 1.0, n) for n in _GRID)
         points = self.patch.point(*(a.ravel() for a in np.meshgrid(u, v, indexing="ij")))
         _, polar, azimuth = (values.reshape(_GRID) for values in spherical(points))
-        self._rises = 1.0 if polar[-1, 0] > polar[0, 0] else -1.0
+        self._heights = polar.min(), polar.max()
         self._polar, self._azimuth = (RectBivariateSpline(u, v, values) for values in (polar, azimuth))
 
     def _share(self, distance, polar):
@@ -29,15 +29,16 @@ class Surface:
 
     def azimuth(self, distance, polar):
         v = self._share(distance, polar)
-        low, high = np.zeros_like(v), np.ones_like(v)
-        for _ in range(50):
-            u = (low + high) / 2.0
-            beyond = self._rises * (self._polar.ev(u, v) - polar) > 0.0
-            low, high = np.where(beyond, low, u), np.where(beyond, u, high)
+        foot, tip = (self._polar.ev(np.full_like(v, u), v) for u in (0.0, 1.0))
+        u = np.clip((polar - foot) / (tip - foot), 0.0, 1.0)
+        for _ in range(6):
+            u = np.clip(u - (self._polar.ev(u, v) - polar) / self._polar.ev(u, v, dx=1), 0.0, 1.0)
         return self._azimuth.ev(u, v)
 
     def holds(self, distance, polar):
         v = self._share(distance, polar)
+        if not np.any((polar >= self._heights[0]) & (polar <= self._heights[1])):
+            return np.zeros(v.shape, bool)
         foot, tip = np.sort([self._polar.ev(np.full_like(v, u), v) for u in (0.0, 1.0)], axis=0)
         return (polar >= foot) & (polar <= tip) & (v >= 0.0) & (v <= 1.0)
 
@@ -63,7 +64,7 @@ def spherical(points):
     return distance, np.arccos(z / distance), np.arctan2(y, x)
 
 
-def greatest_lead(pair, turn, side, shaft_angle_error, mounting_errors, offset_error, grid=(161, 601)):
+def greatest_lead(pair, turn, side, shaft_angle_error, mounting_errors, offset_error, grid=(81, 601)):
     """Of the gear, in the sense in which it is driven: what the tightest of all grid points allows, radians."""
     pinion, gear = Surface(pair.pinion, side), Surface(pair.gear, side)
     v, u = np.meshgrid(np.linspace(0.0, 1.0, grid[0]), np.linspace(0.0, 1.0, grid[1]), indexing="ij")
