@@ -111,7 +111,7 @@ FORMS = [("involute", "involute"), ("octoid", "octoid")]
 VARIED = {
     "uniform depth": {"taper": "uniform"},
     "Gleason": {"standard": "gleason-straight"},
-    "ISO 23509": {"standard": "iso-23509", "taper": "duplex", **SPIRAL},
+    "ISO 23509": {"standard": "iso-23509", "taper": "uniform", **SPIRAL},
     "flat ends": {"ends": "flat"},
     "radial roots": {"root": "radial"},
 }
@@ -182,9 +182,13 @@ def test_relief_takes_its_amount_off_at_the_tip(form, power):
     assert error.lead.max() == pytest.approx(0.0, abs=1e-12)  # where flanks without relief touch it runs true
 
 
-@pytest.mark.parametrize("given", [{"crowning": (0.02, 0.0)}, {"taper": "uniform"}], ids=["crowned", "uniform"])
+@pytest.mark.parametrize(
+    "given",
+    [{"crowning": (0.02, 0.0)}, {"taper": "uniform", "teeth": (24, 31), "module": 3.0}],
+    ids=["crowned", "uniform"],
+)
 def test_so_it_is_of_teeth_that_vary(given):
-    pair = BevelPair(**BASIC, **SPIRAL, **given)
+    pair = BevelPair(**{**BASIC, **SPIRAL, **given})
     found = transmission_error(pair, **ASKEW, samples=3)
     brute = np.array([greatest_lead(pair, turn, "drive", *ASKEW.values()) for turn in found.pinion_turn])
     assert np.all(brute <= found.lead + 1e-9)

@@ -50,7 +50,8 @@ class Flank(Protocol):
 class BevelFlank:
     """That of a bevel gear's teeth: what changes along the face is taken at a few levels and interpolated between.
 
-    Angles, thickness and relief are analytic between the ends; 17 levels give them to rounding.
+    Angles, thickness and relief are analytic between the ends; 17 levels give them to rounding, but for the form angle
+    where undercut begins between the ends.
     """
 
     teeth: BevelTeeth
@@ -64,7 +65,7 @@ class BevelFlank:
         return self.teeth.mean.flank.least_polar
 
     def form_angle(self, level: ArrayLike) -> Array:
-        return self._along(self._form_angles, level)
+        return np.maximum(self._along(self._form_angles, level), self.cusp)
 
     def face_angle(self, level: ArrayLike) -> Array:
         return self._along(self._face_angles, level)
