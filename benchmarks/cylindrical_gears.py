@@ -14,12 +14,9 @@ PYTHON is an interpreter that has py-gearworks, where this one has not.
 
 from __future__ import annotations
 
-import json
 import math
-import subprocess
-import sys
 
-from timing import median_seconds
+from timing import median_seconds, of_peer
 
 HELIX = {"spur": 0.0, "helical 20°": 20.0}
 RUNS, PEER_RUNS = 51, 5
@@ -57,19 +54,9 @@ def peer() -> dict[str, tuple[float, float, float]]:
     }
 
 
-def peer_of(interpreter: str) -> dict[str, tuple[float, float, float]]:
-    """The same by another interpreter."""
-    command = [interpreter, __file__, "--peer"]
-    done = subprocess.run(command, check=True, capture_output=True, text=True)  # noqa: S603  the caller's interpreter
-    return json.loads(done.stdout.splitlines()[-1])
-
-
 def main() -> None:
     """Prints medians, ratios and differences."""
-    if sys.argv[1:] == ["--peer"]:
-        print(json.dumps(peer()))
-        return
-    found = peer_of(sys.argv[1]) if sys.argv[1:] else peer()
+    found = of_peer(__file__, peer)
     print(f"{'z 24, m 3, b 20 mm':<20}{'Gearwright':>14}{'py-gearworks':>14}{'ratio':>8}{'volumes':>12}{'inertia':>12}")
     for name, helix in HELIX.items():
         seconds = median_seconds(lambda helix=helix: ours(helix), RUNS, warm_up=3)

@@ -24,8 +24,13 @@ README_PAIR = {
     "working_depth": 0.8,
     "whole_depth": 0.85,
     "gear_addendum": 0.4,
+    "root": "radial",
+    "ends": "spherical",
 }
 """Al-Daccak 1989, table 3.1."""
+
+SHARP = {"root": "radial", "ends": "spherical"}
+"""Bevel teeth without fillets, between spheres: the shape that Al-Daccak 1989 has."""
 
 _SPIRAL = {"trace": "logarithmic", "spiral_angle": 35.0}
 
@@ -70,8 +75,8 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
         },
     },
     "bevel gear": {
-        "pitch angle 45°": {"teeth": 20, "module": 4.0, "pitch_angle": 45.0, "face_width": 15.0},
-        "crown": {"teeth": 30, "module": 3.0, "pitch_angle": 90.0, "face_width": 12.0},
+        "pitch angle 45°": {"teeth": 20, "module": 4.0, "pitch_angle": 45.0, "face_width": 15.0, **SHARP},
+        "crown": {"teeth": 30, "module": 3.0, "pitch_angle": 90.0, "face_width": 12.0, **SHARP},
         "spiral crown, bored": {
             "teeth": 30,
             "module": 3.0,
@@ -81,7 +86,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "hand": "left",
             **_SPIRAL,
         },
-        "pitch angle 3°": {"teeth": 20, "module": 4.0, "pitch_angle": 3.0, "face_width": 30.0, "bore": 25.0},
+        "pitch angle 3°": {"teeth": 20, "module": 4.0, "pitch_angle": 3.0, "face_width": 30.0, "bore": 25.0, **SHARP},
         "steep spiral, left": {
             "teeth": 12,
             "module": 5.0,
@@ -90,6 +95,8 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "trace": "logarithmic",
             "spiral_angle": 50.0,
             "hand": "left",
+            "root": "radial",
+            "ends": "flat",
         },
         "root above the base cone, backlash": {
             "teeth": 44,
@@ -99,6 +106,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "pressure_angle": 25.0,
             "backlash": 0.3,
             "bore": 30.0,
+            **SHARP,
         },
         "zerol, left": {
             "teeth": 17,
@@ -127,6 +135,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "face_width": 30.0,
             "addendum": 3.0,
             "dedendum": 5.0,
+            **SHARP,
         },
     },
     "bevel pair": {
@@ -157,6 +166,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "shaft_angle": 110.0,
             "face_width": 14.0,
             "backlash": 0.2,
+            **SHARP,
         },
         "13/44 spiral": {
             "teeth": (13, 44),
@@ -417,6 +427,8 @@ def parts_of(name: str) -> list[Part]:
 
 PARTS = [part for name in BY_NAME for part in parts_of(name)]
 BEVEL_PARTS = [part for part in PARTS if part.element.startswith("bevel")]
+SHARP_PARTS = [part for part in BEVEL_PARTS if SHARP.items() <= EXAMPLES[part.element][part.example].items()]
+"""Bevel gears of the thesis's kind, whose faces lie on spheres and cones about the apex."""
 
 every_part = pytest.mark.parametrize("part", PARTS, ids=str)
 every_bevel_part = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)

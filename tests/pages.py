@@ -3,6 +3,9 @@
 import re
 from pathlib import Path
 
+import matplotlib.image
+import numpy as np
+
 ROOT = Path(__file__).parents[1]
 
 
@@ -24,3 +27,10 @@ def assert_blocks_print_what_stands_below(page, capsys):
     for code, text in zip(codes, printed, strict=True):
         exec(compile(code, page.name, "exec"), names)  # noqa: S102  our own example
         assert capsys.readouterr().out.rstrip("\n") == text.rstrip("\n")
+
+
+def assert_drawn_alike(drawn, shown):
+    """Two pictures of one size with as much in them; fonts and the side of a view may differ between machines."""
+    one, other = (matplotlib.image.imread(path)[..., :3] for path in (drawn, shown))
+    assert one.shape == other.shape
+    np.testing.assert_allclose(one.mean(axis=(0, 1)), other.mean(axis=(0, 1)), atol=4e-3)

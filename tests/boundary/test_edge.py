@@ -1,6 +1,6 @@
 """Vertices, edges and patterns."""
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from gearwright.boundary.pattern import ALONE, Pattern
 from gearwright.curves.meridian import Meridian
 from gearwright.curves.parallel import Parallel
 from gearwright.curves.traces.logarithmic import LogarithmicTrace
-from gearwright.motions.ends import ConstantEnd, End, Ends, between
+from gearwright.motions.ends import between
 from gearwright.motions.radial import Radial
 from gearwright.motions.revolution import FULL_TURN, Revolution
 
@@ -28,13 +28,13 @@ SPIRAL = Radial(trace=LogarithmicTrace(ratio=0.8, mean_distance=3.0, mean_spiral
         Profile(
             motion=SPIRAL,
             curve=Meridian(azimuth=0.4, interval=(0.2, 0.9)),
-            station=ConstantEnd(parameter=2.5),
+            v=2.5,
             interval=(0.2, 0.9),
         ),
         Profile(
             motion=SPIRAL,
             curve=Parallel(polar_angle=0.5, interval=(0.0, -1.0)),
-            station=ConstantEnd(parameter=3.5),
+            v=3.5,
             interval=(0.0, -1.0),
         ),
     ],
@@ -67,44 +67,16 @@ def test_images_of_a_pattern():
     assert np.array_equal(ALONE.images(np.ones((2, 3)))[0], np.ones((2, 3)))
 
 
-@dataclass(frozen=True, kw_only=True)
-class Slanted(End):
-    """An end that depends on the section point: v = constant + slope·p."""
-
-    constant: float
-    slope: tuple[float, ...]
-
-    def value(self, point):
-        return self.constant + point @ np.array(self.slope)
-
-    def gradient(self, point):
-        return np.broadcast_to(self.slope, point.shape).copy()
-
-
-SLANTED = Ends(
-    start=Slanted(constant=2.0, slope=(0.3, -0.2, 0.1)), finish=Slanted(constant=4.0, slope=(-0.4, 0.5, 0.2))
-)
-
-
 def _near(function, u, h=1e-5):
     return (function(u + h) - function(u - h)) / (2.0 * h)
 
 
-def test_derivatives_where_the_ends_depend_on_the_section_point():
+def test_partials_of_a_patch():
     curve = Meridian(azimuth=0.4, interval=(0.2, 0.9))
-    profile = Profile(motion=SPIRAL, curve=curve, station=SLANTED.start, interval=curve.interval)
-    rail = Rail(motion=SPIRAL, section_point=tuple(curve.start), ends=SLANTED)
-    for one in (profile, rail):
-        u = one.parameter(np.linspace(0.05, 0.95, 11))
-        np.testing.assert_allclose(one.derivative(u), _near(one.point, u), atol=1e-8)
-
-
-def test_partials_of_a_patch_between_such_ends():
-    curve = Meridian(azimuth=0.4, interval=(0.2, 0.9))
-    patch = Patch(name="slanted", curve=curve, motion=SPIRAL, ends=SLANTED, sides=())
+    patch = Patch(name="conical", curve=curve, motion=replace(SPIRAL, levels=0.6), ends=between(2.0, 4.0), sides=())
     u, v = (a.ravel() for a in np.meshgrid(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 5)))
     du, dv = patch.partials(u, v)
     np.testing.assert_allclose(du, _near(lambda x: patch.point(x, v), u), atol=1e-8)
     np.testing.assert_allclose(dv, _near(lambda x: patch.point(u, x), v), atol=1e-8)
-    profile = Profile(motion=SPIRAL, curve=curve, station=SLANTED.start, interval=curve.interval)
+    profile = Profile(motion=patch.motion, curve=curve, v=2.0, interval=curve.interval)
     np.testing.assert_allclose(patch.point(u, 0.0 * v), profile.point(profile.parameter(u)), atol=1e-14)

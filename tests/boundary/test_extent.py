@@ -57,7 +57,12 @@ def test_the_diagonal_is_about_that_of_the_box(part):
     assert 0.95 * exact < rough_diagonal(built(part).boundary) <= exact * (1.0 + 1e-12)
 
 
-@pytest.mark.parametrize("part", [p for p in PARTS if getattr(built(p), "face_angle", 0.0) < np.pi / 2.0], ids=str)
+def _is_widest_on_edges(part):
+    leaning = getattr(built(part), "ends", "") == "spherical" and built(part).sizes()["face_angle"].value >= 90.0
+    return not leaning
+
+
+@pytest.mark.parametrize("part", [part for part in PARTS if _is_widest_on_edges(part)], ids=str)
 def test_the_box_is_that_of_a_dense_cloud(part):
     """Points all along the edges of every image, and the poles inside the end faces.
 

@@ -15,7 +15,7 @@ from gearwright.sections.loop import Loop
 from ..laws.topology import edges_pair_up, fans_at_vertices, genus
 from .shapes import circle, extruded, revolved
 
-SHAPE = {"teeth": 20, "module": 4.0, "pitch_angle": 45.0, "face_width": 15.0}
+SHAPE = {"teeth": 20, "module": 4.0, "pitch_angle": 45.0, "face_width": 15.0, "root": "radial", "ends": "spherical"}
 
 
 def _bored(**more):

@@ -13,7 +13,15 @@ from gearwright.errors import GeometryError
 from .shapes import BOXES, SQUARE, circle, extruded, polygon, revolved
 
 GEAR = BevelGear(
-    teeth=20, module=4.0, pitch_angle=45.0, face_width=15.0, bore=20.0, trace="logarithmic", spiral_angle=35.0
+    teeth=20,
+    module=4.0,
+    pitch_angle=45.0,
+    face_width=15.0,
+    bore=20.0,
+    trace="logarithmic",
+    spiral_angle=35.0,
+    root="radial",
+    ends="spherical",
 )
 
 

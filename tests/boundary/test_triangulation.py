@@ -6,6 +6,7 @@ import pytest
 from gearwright.boundary.rim import triangulate_pattern
 from gearwright.boundary.triangulation import triangulate
 from gearwright.curves.curve import turn
+from gearwright.elements.bevel.bevel_pair import BevelPair
 from gearwright.errors import GeometryError
 from gearwright.surfaces.plane import Plane
 from gearwright.surfaces.sphere import Sphere
@@ -133,3 +134,11 @@ def test_one_short_segment_costs_little(short, sense):
     inner, triangles = triangulate(PLANE, [loop], 1.0)
     assert len(triangles) < 500
     _is_a_face(np.concatenate([loop, inner]), triangles, [loop])
+
+
+def test_a_fine_tolerance_is_kept_on_a_wide_cone_however_often_triangles_must_be_cut():
+    """Twenty insertions; a shell of the tolerance around the gear bounds what its volume may lose."""
+    gear = BevelPair(teeth=(16, 20), module=12.7, face_width=38.1).gear
+    tolerance = 0.002
+    exact, found = gear.properties(), gear.polyhedron(tolerance).properties()
+    assert abs(found.volume - exact.volume) < tolerance * found.area

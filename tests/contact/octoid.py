@@ -31,7 +31,7 @@ class Octoid:
     def face_angle(self, level):
         return np.full(np.shape(level), self.face)
 
-    def half_angle(self, polar, level):
+    def half_angle(self, polar, level):  # noqa: ARG002 - the same on every level
         return self.form_half(polar)
 
     def form_half(self, polar):

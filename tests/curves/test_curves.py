@@ -11,7 +11,8 @@ import pytest
 import gearwright.curves
 from gearwright.curves.arc import Arc
 from gearwright.curves.bezier import Bezier
-from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, turn
+from gearwright.curves.crowned_rolled import CrownedRolled
+from gearwright.curves.curve import Curve, Mapped, along, gauss_legendre, mapped, points_along, turn
 from gearwright.curves.elliptic_arc import EllipticArc
 from gearwright.curves.envelope import Envelope, Tangents
 from gearwright.curves.family import Member
@@ -109,6 +110,16 @@ EXAMPLES = {
     ],
     Octoid: [OCTOID, Octoid(pitch_angle=np.pi / 2.0, pressure_angle=0.3, interval=(1.1, -0.9))],
     RolledInvolute: [RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(-0.2, 0.6))],
+    CrownedRolled: [
+        CrownedRolled(pitch_angle=0.9, flank=OCTOID, amount=0.03, full=0.5, interval=(0.0, 0.5)),
+        CrownedRolled(
+            pitch_angle=0.8,
+            flank=RolledInvolute(pitch_angle=0.8, pressure_angle=0.35, interval=(0.0, 0.0)),
+            amount=0.02,
+            full=-0.1,
+            interval=(-0.1, 0.0),
+        ),
+    ],
     RelievedRolled: [
         RelievedRolled(pitch_angle=0.9, flank=OCTOID, amount=0.03, begin=0.1, full=0.5, power=2, interval=(0.1, 0.5)),
         RelievedRolled(
@@ -212,6 +223,7 @@ def test_many_curves_at_once_are_one_by_one(examples):
     like = [curve for curve in examples if curve.start.size == examples[0].start.size]
     curves = [*like, *(curve.reversed() for curve in like), *like]
     points, tangents = along(curves, FRACTIONS)
+    np.testing.assert_array_equal(points_along(curves, FRACTIONS), points)
     for curve, p, t in zip(curves, points, tangents, strict=True):
         u = curve.parameter(FRACTIONS)
         np.testing.assert_allclose(p, curve.point(u), rtol=1e-15, atol=1e-15)
@@ -222,7 +234,8 @@ def test_many_curves_at_once_are_one_by_one(examples):
 def test_curves_of_several_classes_at_once_keep_their_order():
     curves = [Line(first=(0.0, 0.0), last=(1.0, 0.0)), Arc(radius=1.0, interval=(0.0, 1.0)), *EXAMPLES[Bezier][:1]]
     curves += [Line(first=(2.0, 3.0), last=(1.0, 0.5))]
-    points, _ = along(curves, np.array([0.0, 1.0]))
+    points = points_along(curves, np.array([0.0, 1.0]))
+    np.testing.assert_array_equal(along(curves, np.array([0.0, 1.0]))[0], points)
     np.testing.assert_array_equal(points, [[c.start, c.end] for c in curves])
 
 
@@ -471,6 +484,17 @@ class TestInterpolated:
         together = WIDENING.at(v).point(u)
         for row, one in zip(together, v[:, 0], strict=True):
             np.testing.assert_allclose(row, WIDENING.at(float(one)).point(FRACTIONS), atol=1e-15)
+
+    def test_what_is_kept_of_fractions_is_of_those_and_of_points_or_rates_apart(self):
+        """More sets of fractions than are kept, out of order and repeated, each twice, points and rates in turn."""
+        fresh = Interpolated(members=WIDENING.members, stations=WIDENING.stations)
+        sets = [np.array([[0.9, k / 20.0], [k / 20.0, 0.1]]) for k in range(20)]
+        for u in sets + sets[::-1]:
+            for found, step in ((fresh.member_point(u, 0.3), 0.0), (fresh.member_derivative(u, 0.3), 1e-6)):
+                for place in np.ndindex(2, 2):
+                    ends = [WIDENING.at(0.3).point(float(u[place]) + sign * step) for sign in (1.0, -1.0)]
+                    expected = (ends[0] - ends[1]) / (2.0 * step) if step else ends[0]
+                    np.testing.assert_allclose(found[place], expected, atol=1e-9 if step else 1e-15)
 
     def test_a_family_needs_a_station_for_each_member(self):
         with pytest.raises(ValueError, match="station"):

@@ -6,6 +6,7 @@ import pytest
 from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
+from ..examples import SHARP
 from .contact import contacts
 
 STRAIGHT = {
@@ -22,12 +23,14 @@ STRAIGHT = {
     },
     "13/44 Σ 90°": {"teeth": (13, 44), "module": 3.0, "face_width": 10.0, "gear_addendum": 2.4},
 }
+STRAIGHT = {name: {**SHARP, **sizes} for name, sizes in STRAIGHT.items()}
 CROWN = {
     "teeth": (20, 40),
     "module": 3.0,
     "face_width": 10.0,
     "shaft_angle": float(np.degrees(np.pi - np.arccos(20.0 / 40.0))),
     "working_depth": 5.0,
+    **SHARP,
 }
 """cos Σ = −z₁/z₂ makes the gear a crown gear."""
 SPIRAL = {"trace": "logarithmic", "spiral_angle": 35.0}

@@ -6,6 +6,8 @@ import pytest
 from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.cylindrical.spur_gear import SpurGear
 
+from ..examples import SHARP
+
 ANGLES = np.array([8.0, 4.0, 2.0, 1.0])
 SHAPE = {"teeth": 18, "face_width": 10.0, "addendum": 2.8, "dedendum": 3.4, "pressure_angle": 22.0, "backlash": 0.1}
 SPUR = SpurGear(module=3.0, root="radial", **SHAPE)
@@ -15,11 +17,11 @@ def _bevel(angle, *, mean_module, **more):
     """A bevel gear of small pitch angle with the spur gear's sizes at the outer end, or half-way along the teeth."""
     cone_distance = SHAPE["teeth"] * 3.0 / 2.0 / np.sin(np.radians(angle))
     if not mean_module:
-        return BevelGear(module=3.0, pitch_angle=angle, **SHAPE, **more)
+        return BevelGear(module=3.0, pitch_angle=angle, **SHAPE, **SHARP, **more)
     # cone distance to mid-face is the one at which the module is 3
     scale = (cone_distance + SHAPE["face_width"] / 2.0) / cone_distance
     sizes = {name: SHAPE[name] * scale for name in ("addendum", "dedendum", "backlash")}
-    return BevelGear(module=3.0 * scale, pitch_angle=angle, **{**SHAPE, **sizes}, **more)
+    return BevelGear(module=3.0 * scale, pitch_angle=angle, **{**SHAPE, **sizes}, **SHARP, **more)
 
 
 def _errors(**more):

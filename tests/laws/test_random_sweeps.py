@@ -117,7 +117,7 @@ def test_exact_moments_are_those_of_the_flux(solid):
 @some
 @given(extrusions())
 def test_closed_forms_are_the_quadrature(solid):
-    quadrature = quadrature_moments(solid.motion, solid.section, *solid.ends.constants)
+    quadrature = quadrature_moments(solid.motion, solid.section, solid.ends.start, solid.ends.finish)
     agree(solid.moments, quadrature, 1e-13)
 
 

@@ -22,7 +22,7 @@ from gearwright.curves.traces.logarithmic import LogarithmicTrace
 from gearwright.curves.traces.straight import StraightTrace
 from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
-from gearwright.motions.ends import ConstantEnd, End, Ends, between
+from gearwright.motions.ends import Ends, between
 from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.herringbone import Herringbone
 from gearwright.motions.motion import Motion
@@ -232,7 +232,7 @@ def difference(function, x=0.0, h=1e-3):
 
 
 def parameters(example):
-    start, finish = example.ends.constants
+    start, finish = example.ends.start, example.ends.finish
     return [start + f * (finish - start) for f in (0.05, 0.4, 0.95)]
 
 
@@ -275,7 +275,7 @@ class TestEveryMotion:
 
     def test_all_parameters_at_once_are_one_by_one(self, case):
         points, tangents, _ = case.points()
-        v = np.linspace(*case.ends.constants, len(points))
+        v = np.linspace(case.ends.start, case.ends.finish, len(points))
         for function in (
             case.motion.place,
             lambda p, t: case.motion.carry(p, tangents[: len(p)], t),
@@ -302,7 +302,7 @@ class TestEveryMotion:
 
     def test_the_volume_is_the_integral_of_the_jacobian(self, case):
         x, w = np.polynomial.legendre.leggauss(30)
-        start, finish = case.ends.constants
+        start, finish = case.ends.start, case.ends.finish
         u = (start + finish) / 2.0 + (finish - start) / 2.0 * x
         volume = 0.0
         for loop in case.section.loops:
@@ -325,21 +325,14 @@ class TestEveryMotion:
         points, _, _ = case.points()
         for end in (case.ends.start, case.ends.finish):
             surface = case.motion.end_surface(end)
-            placed = case.motion.place(points, end.parameter)
+            placed = case.motion.place(points, end)
             assert np.max(surface.deviation(placed)) < 1e-14
             chart = surface.chart(placed)
             np.testing.assert_allclose(surface.point(chart), placed, atol=1e-14)
             first = difference(lambda e, c=chart, s=surface: s.point(c + e * np.array([1.0, 0.0])))
             second = difference(lambda e, c=chart, s=surface: s.point(c + e * np.array([0.0, 1.0])))
             normal = np.cross(first, second)
-            assert np.all(np.sum(normal * case.motion.velocity(points, end.parameter), axis=1) > 0.0)
-
-    def test_an_end_that_varies_has_neither_a_surface_of_ours_nor_a_reduction(self, case):
-        with pytest.raises(TypeError, match="constant"):
-            case.motion.end_surface(Tilted())
-        for ends in (Ends(start=Tilted(), finish=case.ends.finish), Ends(start=case.ends.start, finish=Tilted())):
-            assert case.motion.moments(case.section, ends) is None
-            assert not case.motion.closed(ends)
+            assert np.all(np.sum(normal * case.motion.velocity(points, end), axis=1) > 0.0)
 
     def test_turning_the_section_about_its_axis_turns_the_body_or_the_motion_says_otherwise(self, case):
         points, _, _ = case.points()
@@ -357,7 +350,7 @@ class TestEveryMotion:
     def test_between_its_breaks_it_is_smooth_up_to_them(self, case):
         points, _, _ = case.points()
         for span in case.ends.spans(case.motion.breaks(case.ends)):
-            start, finish = span.constants
+            start, finish = span.start, span.finish
             piece, h = case.motion.smooth_piece(span), 1e-3 * (finish - start)
             inside = start + np.array([0.03, 0.5, 0.97])[:, None] * (finish - start)
             np.testing.assert_allclose(piece.place(points, inside), case.motion.place(points, inside), atol=1e-14)
@@ -370,7 +363,7 @@ class TestEveryMotion:
 
     def test_only_a_herringbone_has_a_break(self, case):
         motion = case.motion.motion if isinstance(case.motion, Placed) else case.motion
-        broken = isinstance(motion, Herringbone) and case.ends.constants not in ((0.1, 1.25), (1.25, 2.2))
+        broken = isinstance(motion, Herringbone) and case.ends not in (between(0.1, 1.25), between(1.25, 2.2))
         assert case.motion.breaks(case.ends) == ((1.25,) if broken else ())
 
 
@@ -394,19 +387,6 @@ def test_one_point_goes_to_many_places(motion):
     assert motion.velocity(point, v).shape == (3, 3)
     assert motion.place(point, v).shape == (3, 3)
     assert motion.jacobian(point, v).shape == (3,)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Tilted(End):
-    """An end that leans: v = 3 + 0.2 x − 0.1 y."""
-
-    def value(self, point):
-        return 3.0 + 0.2 * point[..., 0] - 0.1 * point[..., 1]
-
-    def gradient(self, point):
-        gradient = np.zeros(point.shape)
-        gradient[..., 0], gradient[..., 1] = 0.2, -0.1
-        return gradient
 
 
 class TestStraight:
@@ -608,7 +588,7 @@ class TestRadial:
         assert np.arctan2(placed[1], placed[0]) == pytest.approx(0.8 * np.log(1.5))
 
     def test_its_ends_are_spheres(self):
-        assert Radial(trace=StraightTrace()).end_surface(ConstantEnd(parameter=2.5)).radius == 2.5
+        assert Radial(trace=StraightTrace()).end_surface(2.5).radius == 2.5
 
     @pytest.mark.parametrize("copies", [3, 8])
     def test_the_spiral_of_a_whole_gear_has_the_moments_of_the_straight_one(self, copies):
@@ -637,33 +617,13 @@ class TestRadial:
 
 
 class TestEnds:
-    ends = Ends(start=ConstantEnd(parameter=1.5), finish=Tilted())
-    points = np.array([[1.0, 2.0], [-0.5, 0.3], [4.0, -1.0]])
+    ends = between(1.5, 3.0)
 
-    def test_values_run_from_start_to_finish(self):
-        np.testing.assert_allclose(self.ends.value(self.points, 0.0), 1.5)
-        np.testing.assert_allclose(self.ends.value(self.points, 1.0), [3.0, 2.87, 3.9])
-        np.testing.assert_allclose(self.ends.value(self.points, np.array([0.0, 0.5, 1.0])), [1.5, 2.185, 3.9])
-
-    def test_the_gradient_is_the_difference_of_values(self):
-        fraction = np.array([0.2, 0.5, 0.9])
-        for axis in range(2):
-            step = np.eye(2)[axis]
-            numeric = difference(lambda e, s=step: self.ends.value(self.points + e * s, fraction))
-            np.testing.assert_allclose(self.ends.gradient(self.points, fraction)[:, axis], numeric, atol=1e-11)
-
-    def test_the_span_is_the_difference_over_fractions(self):
-        numeric = difference(lambda t: self.ends.value(self.points, t), 0.4)
-        np.testing.assert_allclose(self.ends.span(self.points), numeric, atol=1e-11)
+    def test_parameters_run_from_start_to_finish(self):
+        np.testing.assert_allclose(self.ends.at(np.array([0.0, 0.2, 0.5, 1.0])), [1.5, 1.8, 2.25, 3.0])
+        assert self.ends.at(0.0) == 1.5
+        assert self.ends.span == 1.5
 
     def test_spans_are_cut_at_breaks(self):
-        assert [s.constants for s in between(0.0, 3.0).spans([1.0, 2.5])] == [(0.0, 1.0), (1.0, 2.5), (2.5, 3.0)]
-        assert between(0.0, 3.0).spans([]) == (between(0.0, 3.0),)
-        first, last = self.ends.spans([2.0])
-        assert first.constants == (1.5, 2.0)
-        assert last.constants is None
-        assert last.finish == Tilted()
-
-    def test_only_constant_ends_are_constants(self):
-        assert between(1.0, 2.0).constants == (1.0, 2.0)
-        assert self.ends.constants is None
+        assert between(0.0, 3.0).spans([1.0, 2.5]) == (between(0.0, 1.0), between(1.0, 2.5), between(2.5, 3.0))
+        assert self.ends.spans([]) == (self.ends,)

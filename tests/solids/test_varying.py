@@ -1,6 +1,6 @@
 """Sections that vary along straight and helical sweeps, held against closed forms, flux, polyhedra and twists."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ from gearwright.curves.turning import TurnedArc, turned
 from gearwright.errors import GeometryError
 from gearwright.moments.matrix import shifted
 from gearwright.motions.along import Along
-from gearwright.motions.ends import ConstantEnd, End, Ends, between
+from gearwright.motions.ends import between
 from gearwright.motions.extrusion import Extrusion
 from gearwright.motions.motion import Motion
 from gearwright.motions.revolution import Revolution
@@ -280,17 +280,6 @@ class TestMembers:
         assert CROWNED.section.at(0.0).moments[0, 0] < CROWNED.section.moments[0, 0]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Tilted(End):
-    def value(self, point):
-        return 3.0 + 0.2 * point[..., 0]
-
-    def gradient(self, point):
-        gradient = np.zeros(point.shape)
-        gradient[..., 0] = 0.2
-        return gradient
-
-
 class TestRefusals:
     def test_a_gap_that_opens_on_the_way_is_refused_with_the_height(self):
         section = CROWNED.section
@@ -322,10 +311,9 @@ class TestRefusals:
         [
             (Revolution(), between(-1.0, 0.0)),
             (Along(frame=rotation_minimising(helix(90.0, 40.0, 0.8))), between(0.0, 1.0)),
-            (Straight(), Ends(start=ConstantEnd(parameter=0.0), finish=Tilted())),
         ],
-        ids=["revolution", "along", "tilted"],
+        ids=["revolution", "along"],
     )
-    def test_other_motions_and_ends_are_refused(self, motion: Motion, ends):
+    def test_other_motions_are_refused(self, motion: Motion, ends):
         with pytest.raises(GeometryError, match="the section varies along the motion: only straight and helical"):
             Swept(section=lopsided(Polynomial(coefficients=(0.0, 0.1))), motion=motion, ends=ends)

@@ -8,8 +8,6 @@ from functools import cached_property
 from typing import NoReturn
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ..arrays import Array
 from ..errors import GeometryError, Problem
@@ -69,6 +67,9 @@ def contacts(
     Loops that meet are one and the same or lie strictly inside one another; faces that only stand beside each
     other in a plane stay as they are.
     """
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
     if not pairs:
         return []
     i, j = np.array(pairs).T

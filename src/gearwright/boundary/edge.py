@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike
 from ..curves.curve import Curve, along
-from ..motions.ends import End, Ends
+from ..motions.ends import Ends
 from ..motions.motion import Motion
 from .pattern import ALONE, Pattern
 
@@ -66,10 +66,7 @@ class EdgeUse:
 
 def motion_panels(motion: Motion, ends: Ends) -> tuple[float, ...]:
     """Fractions of the way between the ends at which a motion is smooth but not analytic."""
-    if ends.constants is None:
-        return ()
-    start, finish = ends.constants
-    return tuple((v - start) / (finish - start) for v in motion.panels(start, finish))
+    return tuple((v - ends.start) / ends.span for v in motion.panels(ends.start, ends.finish))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,12 +79,10 @@ class Rail(Curve):
     interval: tuple[float, float] = (0.0, 1.0)
 
     def point(self, u: ArrayLike) -> Array:
-        p = self._points(u)
-        return self.motion.place(p, self.ends.value(p, u))
+        return self.motion.place(self._points(u), self.ends.at(u))
 
     def derivative(self, u: ArrayLike) -> Array:
-        p = self._points(u)
-        return self.motion.velocity(p, self.ends.value(p, u)) * self.ends.span(p)[..., None]
+        return self.motion.velocity(self._points(u), self.ends.at(u)) * self.ends.span
 
     @property
     def panels(self) -> tuple[float, ...]:
@@ -103,8 +98,8 @@ class Rail(Curve):
             np.array([c.section_point for c in curves])[:, None, :],
             (len(curves), len(fractions), len(first.section_point)),
         )
-        v = first.ends.value(p, fractions)
-        return first.motion.place(p, v), first.motion.velocity(p, v) * first.ends.span(p)[..., None]
+        v = np.broadcast_to(first.ends.at(fractions), p.shape[:-1])
+        return first.motion.place(p, v), first.motion.velocity(p, v) * first.ends.span
 
     def _points(self, u: ArrayLike) -> Array:
         point = np.asarray(self.section_point)
@@ -113,7 +108,7 @@ class Rail(Curve):
 
 @dataclass(frozen=True, kw_only=True)
 class VaryingRail(Curve):
-    """The way of the start of a family's members through a motion, by the fraction t between constant ends."""
+    """The way of the start of a family's members through a motion, by the fraction t between the ends."""
 
     motion: Motion
     curve: Curve
@@ -128,7 +123,7 @@ class VaryingRail(Curve):
         first, v = self._first(u)
         p = self.curve.at(v).point(first)
         rate = self.motion.velocity(p, v) + self.motion.carry(p, self.curve.variation(first, v), v)
-        return rate * self.ends.span(p)[..., None]
+        return rate * self.ends.span
 
     @property
     def panels(self) -> tuple[float, ...]:
@@ -136,38 +131,31 @@ class VaryingRail(Curve):
 
     def _first(self, u: ArrayLike) -> tuple[Array, Array]:
         """The parameter of the curve's start, and the motion's (...) at fractions u (...)."""
-        first = np.full(np.shape(u), self.curve.interval[0])
-        return first, self.ends.value(self.curve.point(first), u)
+        return np.full(np.shape(u), self.curve.interval[0]), self.ends.at(u)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Profile(Curve):
-    """A curve of the section carried to one end of a motion."""
+    """A curve of the section carried to one parameter v of a motion."""
 
     motion: Motion
     curve: Curve
-    station: End
+    v: float
 
     def point(self, u: ArrayLike) -> Array:
         p = self.curve.point(u)
-        return self.motion.place(p, self.station.value(p))
+        return self.motion.place(p, np.full(p.shape[:-1], self.v))
 
     def derivative(self, u: ArrayLike) -> Array:
-        p, tangent = self.curve.point(u), self.curve.derivative(u)
-        v = self.station.value(p)
-        along = np.sum(self.station.gradient(p) * tangent, axis=-1)
-        return self.motion.carry(p, tangent, v) + self.motion.velocity(p, v) * along[..., None]
+        p = self.curve.point(u)
+        return self.motion.carry(p, self.curve.derivative(u), np.full(p.shape[:-1], self.v))
 
     @classmethod
     def together(cls, curves: Sequence[Self], fractions: Array) -> tuple[Array, Array]:
-        """All at once, where they are whole curves at one station of one motion."""
+        """All at once, where they are whole curves at one parameter of one motion."""
         first = curves[0]
-        if any(
-            (c.motion, c.station) != (first.motion, first.station) or c.interval != c.curve.interval for c in curves
-        ):
+        if any((c.motion, c.v) != (first.motion, first.v) or c.interval != c.curve.interval for c in curves):
             return super().together(curves, fractions)
         p, tangent = along([c.curve for c in curves], fractions)
-        v = first.station.value(p)
-        turned = np.sum(first.station.gradient(p) * tangent, axis=-1)[..., None]
-        rates = first.motion.carry(p, tangent, v) + first.motion.velocity(p, v) * turned
-        return first.motion.place(p, v), rates
+        v = np.full(p.shape[:-1], first.v)
+        return first.motion.place(p, v), first.motion.carry(p, tangent, v)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
-from scipy.optimize import minimize
 
 from ..arrays import Array, Indices
 from ..curves.curve import along, in_panels
@@ -99,6 +98,8 @@ class _Candidates:
 
     def refined(self, axis: int, sign: float, least: float) -> float:
         """Greatest sign × coordinate, by descent from the highest sample and others above `least` along the motion."""
+        from scipy.optimize import minimize
+
         heights = sign * self.points[..., axis]
         image = int(np.unravel_index(np.argmax(heights), heights.shape)[0])
         direction = np.zeros(3)

@@ -51,9 +51,7 @@ class Patch:
         tangent = self.curve.at(t).derivative(self.curve.parameter(u)) * (b - a)
         velocity = self.motion.velocity(p, t)
         variation = self.motion.carry(p, self.curve.variation(self.curve.parameter(u), t), t)
-        along = np.sum(self.ends.gradient(p, v) * tangent, axis=-1)[..., None]
-        span = self.ends.span(p)[..., None]
-        return self.motion.carry(p, tangent, t) + (velocity + variation) * along, (velocity + variation) * span
+        return self.motion.carry(p, tangent, t), (velocity + variation) * self.ends.span
 
     def area_vector(self, u: Array, v: Array) -> Array:
         """∂r/∂u × ∂r/∂v (..., 3), outward."""
@@ -61,7 +59,7 @@ class Patch:
 
     def _section(self, u: Array, v: Array) -> tuple[Array, Array]:
         parameter = self.curve.parameter(u)
-        t = self.ends.value(self.curve.point(parameter), v)
+        t = self.ends.at(v)
         return self.curve.at(t).point(parameter), t
 
 
@@ -88,11 +86,9 @@ def points_and_partials(patches: Sequence[Patch], u: Array, v: Array) -> tuple[A
         du, dv = first.partials(u, v)
         return first.point(u, v)[None], du[None], dv[None]
     p, tangent = along([patch.curve for patch in patches], u)
-    t = first.ends.value(p, v)
+    t = np.broadcast_to(first.ends.at(v), p.shape[:-1])
     velocity = first.motion.velocity(p, t)
-    turned = np.sum(first.ends.gradient(p, v) * tangent, axis=-1)[..., None]
-    du = first.motion.carry(p, tangent, t) + velocity * turned
-    return first.motion.place(p, t), du, velocity * first.ends.span(p)[..., None]
+    return first.motion.place(p, t), first.motion.carry(p, tangent, t), velocity * first.ends.span
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from ..arrays import Array
 from .edge import Edge
@@ -31,6 +30,8 @@ class EdgeMatch:
 
 def matches(first: Sequence[CapLoop], second: Sequence[CapLoop], near: float) -> list[EdgeMatch]:
     """The edges of loops of two bodies that coincide within a distance, image by image."""
+    from scipy.spatial import cKDTree
+
     ours, theirs = _edges(first), _edges(second)
     images = [(edge, k, image) for edge in ours for k, image in enumerate(_images(edge))]
     if not images or not theirs:

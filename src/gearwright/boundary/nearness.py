@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from ..arrays import Array, Indices
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flat import segments_for
 from .outlines import winding
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 _GRID = 9  # samples a side of a patch
 _NEAREST = 4  # samples from which a point's foot is searched
@@ -82,6 +85,8 @@ class Skin:
 
     @cached_property
     def _tree(self) -> cKDTree:
+        from scipy.spatial import cKDTree
+
         return cKDTree(self.points)
 
     def signed_distance(self, points: Array, sag: float) -> Array:

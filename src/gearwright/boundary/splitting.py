@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..motions.ends import ConstantEnd, Ends
+from ..motions.ends import Ends
 from .boundary import Boundary
 from .edge import Edge, EdgeUse, Profile, Rail, Vertex
 from .faces import Cap, Patch
@@ -120,12 +120,8 @@ class _Grid:
     def _spans(self) -> list[Ends]:
         if len(self.v) == 2:
             return [self.patch.ends]
-        constants = self.patch.ends.constants
-        if constants is None:  # no motion of ours that closes on itself has such ends
-            raise ValueError("a patch between ends that vary cannot be cut along its motion")
-        start, finish = constants
-        stations = [start * (1.0 - f) + finish * f for f in self.v]
-        return [Ends(start=ConstantEnd(parameter=a), finish=ConstantEnd(parameter=b)) for a, b in pairwise(stations)]
+        stations = self.patch.ends.at(self.v).tolist()
+        return [Ends(start=a, finish=b) for a, b in pairwise(stations)]
 
     @cached_property
     def _corners(self) -> list[list[Vertex]]:
@@ -178,7 +174,7 @@ class _Grid:
                     curve=Profile(
                         motion=self.patch.motion,
                         curve=self.patch.curve,
-                        station=self._spans[j].start,
+                        v=self._spans[j].start,
                         interval=self._interval(i),
                     ),
                     start=self._corners[i][j],

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..curves.curve import Curve, along
-from ..motions.ends import ConstantEnd, End, Ends
+from ..motions.ends import Ends
 from ..motions.motion import Motion
 from ..sections.loop import Loop
 from ..sections.section import LoopedSection
@@ -61,7 +61,7 @@ class _SweptLoop:
         return self.ends.spans(self.motion.breaks(self.ends))
 
     @cached_property
-    def _stations(self) -> tuple[End, ...]:
+    def _stations(self) -> tuple[float, ...]:
         return (*(span.start for span in self._spans), self._spans[-1].finish)
 
     @cached_property
@@ -83,7 +83,7 @@ class _SweptLoop:
         levels: list[list[Vertex]] = []
         for level, station in enumerate(self._stations):
             starts = _starts(self._curves[level])
-            positions = self.motion.place(starts, station.value(starts))
+            positions = self.motion.place(starts, np.full(len(starts), station))
             row = [
                 levels[-1][j]
                 if levels and self._stationary(start)
@@ -97,13 +97,10 @@ class _SweptLoop:
 
     @cached_property
     def _curves(self) -> list[tuple[Curve, ...]]:
-        """The curves at each level; families stand between constant ends."""
+        """The curves at each level."""
         if not any(curve.varies for curve in self.loop.curves):
             return [self.loop.curves] * len(self._stations)
-        parameters = [station.parameter for station in self._stations if isinstance(station, ConstantEnd)]
-        if len(parameters) != len(self._stations):
-            raise TypeError("a section that varies is swept between constant parameters")
-        return [tuple(curve.at(v) for curve in self.loop.curves) for v in parameters]
+        return [tuple(curve.at(v) for curve in self.loop.curves) for v in self._stations]
 
     def _vertex(self, name: str, position: Array) -> Vertex:
         on_axis = bool(np.all(np.abs(position[:2]) <= _ON_AXIS * np.linalg.norm(position)))
@@ -113,7 +110,7 @@ class _SweptLoop:
         """Whether the motion leaves section points where they are, as a revolution does on its axis."""
         if not self.motion.has_still_points:
             return False
-        halfway = self.ends.value(points, np.full(points.shape[:-1], 0.5))
+        halfway = self.ends.at(np.full(points.shape[:-1], 0.5))
         places, velocities = self.motion.place(points, halfway), self.motion.velocity(points, halfway)
         return bool(np.all(np.abs(velocities) <= _ON_AXIS * np.max(np.abs(places))))
 
@@ -155,12 +152,12 @@ class _SweptLoop:
             levels[-1] = levels[0]
         return levels
 
-    def _profile(self, j: int, curve: Curve, level: int, station: End) -> Edge:
+    def _profile(self, j: int, curve: Curve, level: int, station: float) -> Edge:
         row = self._vertices[level]
         last = j + 1 == len(row)
         return Edge(
             name=f"profile {self.name}.{j}.{level}",
-            curve=Profile(motion=self.motion, curve=curve, station=station, interval=curve.interval),
+            curve=Profile(motion=self.motion, curve=curve, v=station, interval=curve.interval),
             start=row[j],
             end=row[0 if last else j + 1],
             end_turn=self._onward if last else 0,

@@ -10,14 +10,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from ..arrays import Array, Indices
 from ..errors import GeometryError, Problem
 from ..surfaces.surface import Surface
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 MOST_CELLS = 2_000_000
 """Inner points of one face beyond which a tolerance is taken for a slip."""
@@ -26,7 +28,7 @@ _CLEARANCE = 0.6  # distance of inner points from the border, by the local spaci
 _CLEAR_OF_SIDES = 0.3  # distance of inner points from the border's sides, by the size wanted there
 _LONG = 1.5  # a side so many times the least spacing may have other border points nearer to its middle than its ends
 _SAMPLED = 0.95  # of the tolerance, where a triangle is sampled; border sides keep 1/1.1 of it by themselves
-_ROUNDS = 8  # insertions after which a triangle beyond the tolerance is refused
+_ROUNDS = 32  # insertions after which a triangle beyond the tolerance is refused; long cones have needed 20
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +48,8 @@ class Grading:
 
     @cached_property
     def _tree(self) -> cKDTree:
+        from scipy.spatial import cKDTree
+
         return cKDTree(self.border)
 
     def size(self, points: Array) -> tuple[Array, Array]:
@@ -140,6 +144,8 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
 
 def _clear_of_sides(grading: Grading, inner: Array, constraints: Indices) -> Array:
     """Inner points (k, 2) without those near a long side whose ends are further off than other points of the border."""
+    from scipy.spatial import cKDTree
+
     start, step = grading.border[constraints[:, 0]], np.diff(grading.border[constraints], axis=1)[:, 0]
     lengths = np.linalg.norm(step, axis=1)
     long = np.flatnonzero(lengths > _LONG * grading.spacing.min())

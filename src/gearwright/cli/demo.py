@@ -30,10 +30,8 @@ PAIR: Mapping[str, Any] = {
     "gear_addendum": 0.4,
     "pressure_angle": 20.0,
     "length_unit": "in",
-    "ends": "spherical",
-    "root": "radial",
 }
-"""The pair of Al-Daccak 1989, Table 3.1."""
+"""The sizes of Al-Daccak 1989, Table 3.1; roots and ends as they are by default, which the thesis has otherwise."""
 
 TRACES: Mapping[str, Mapping[str, Any]] = {
     "straight": {"trace": "straight"},

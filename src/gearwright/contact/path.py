@@ -14,10 +14,11 @@ import numpy as np
 from numpy.polynomial import Chebyshev
 
 from ..arrays import Array, ArrayLike, Indices
+from .graded import Graded
 from .mesh import Mesh, Side
 from .search import crossing, stretches
 
-_DEGREE = 40  # of a flank's half angle over the square root of its height above the cusp, in which it is analytic
+_DEGREE = 40  # of the height touched over the turn, in which it is analytic
 _LOOKED_AT = 129  # cone distances among which the ends of teeth are seen
 _ROUNDING = 1e-12  # radians: how far off the foot a turn is still well found
 
@@ -39,7 +40,7 @@ class ContactPath:
 
     def turn(self, polar: ArrayLike) -> Array:
         """The pinion's turn (...) from tooth on pitch line at which it touches at polar angles (...), radians."""
-        return self._azimuth(polar) - self.sense * self._half_angle(polar)
+        return self._azimuth(polar) - self.sense * self._fit.value(polar)
 
     def point(self, polar: ArrayLike) -> Array:
         """Unit vectors (..., 3) of the points of contact where the pinion touches at polar angles (...)."""
@@ -133,16 +134,8 @@ class ContactPath:
         return abs(last - first) / self.mesh.pitch
 
     @cached_property
-    def _fit(self) -> Chebyshev:
-        """Half angle over √(δ − cusp)."""
-        flank, ends = self.mesh.pinion.flank, self._root(self.mesh.pinion.heights)
-        return Chebyshev.interpolate(
-            lambda x: flank.form_half(np.clip(flank.cusp + x * x, *self.mesh.pinion.heights)), _DEGREE, domain=ends
-        )
-
-    @cached_property
-    def _derivative(self) -> Chebyshev:
-        return self._fit.deriv()
+    def _fit(self) -> Graded:
+        return Graded.of(self.mesh.pinion.flank.form_half, *self.mesh.pinion.heights)
 
     @cached_property
     def _inverse(self) -> Chebyshev:
@@ -164,24 +157,13 @@ class ContactPath:
 
     def _turning_room(self, polar: Array) -> Array:
         """≥ 0 where some turn makes the flank's tangent square to the pitch line."""
-        slope = np.sin(polar) * self._slope(polar)
+        slope = np.sin(polar) * self._fit.slope(polar)
         return np.hypot(np.cos(polar), slope) - np.sin(polar) / np.tan(self.mesh.pinion.pitch_angle)
 
     def _azimuth(self, polar: ArrayLike) -> Array:
         """Of the point of contact: cos δ cos a − sin δ h′ sin a = sin δ/tan γ, the root through the pitch line."""
         delta = np.asarray(polar, float)
-        across = np.sin(delta) * self._slope(delta)  # h′ sin δ, < 0
+        across = np.sin(delta) * self._fit.slope(delta)  # h′ sin δ, < 0
         along = np.cos(delta)
         wanted = np.sin(delta) / np.tan(self.mesh.pinion.pitch_angle) / np.hypot(along, across)
         return -self.sense * (np.arctan2(across, along) + np.arccos(np.clip(wanted, -1.0, 1.0)))
-
-    def _root(self, polar: ArrayLike) -> Array:
-        return np.sqrt(np.clip(np.asarray(polar, float) - self.mesh.pinion.flank.cusp, 0.0, None))
-
-    def _half_angle(self, polar: ArrayLike) -> Array:
-        return self._fit(self._root(polar))
-
-    def _slope(self, polar: ArrayLike) -> Array:
-        """dh/dδ, h the half angle: by the root x of the height, dx/dδ = 1/(2x)."""
-        x = np.maximum(self._root(polar), 1e-9)
-        return self._derivative(x) / (2.0 * x)

@@ -41,6 +41,10 @@ class Bezier(Curve):
         span = first.interval[1] - first.interval[0]
         return bernstein(degree, u) @ control, span * degree * bernstein(degree - 1, u) @ np.diff(control, axis=1)
 
+    @classmethod
+    def points_together(cls, curves: Sequence[Self], fractions: Array) -> Array:
+        return cls.together(curves, fractions)[0]
+
 
 def bernstein(degree: int, u: ArrayLike) -> Array:
     """Bernstein's polynomials (..., degree + 1) at u (...): binomial(n, k) u^k (1 − u)^(n − k)."""

@@ -96,6 +96,11 @@ class Curve(ABC):
         ]
         return np.array(points), np.array(tangents)
 
+    @classmethod
+    def points_together(cls, curves: Sequence[Self], fractions: Array) -> Array:
+        """The points alone (n, m, d); a class that evaluates many at once does so here, too."""
+        return np.array([curve.point(curve.parameter(fractions)) for curve in curves])
+
     def quadrature(self, nodes: int) -> tuple[Array, Array]:
         """Gauss–Legendre points and weighted tangents (n, d), `nodes` a panel, so that ∮ f·dr ≈ Σ f(point)·tangent."""
         x, w = gauss_legendre(nodes)
@@ -119,6 +124,12 @@ def along(curves: Sequence[Curve], fractions: Array) -> tuple[Array, Array]:
     if len(parts) == 1:
         return parts[0]
     return np.concatenate([p for p, _ in parts]), np.concatenate([t for _, t in parts])
+
+
+def points_along(curves: Sequence[Curve], fractions: Array) -> Array:
+    """The points (n, m, d) of `along` without their tangents."""
+    groups = (list(group) for _, group in groupby(curves, type))
+    return np.concatenate([type(group[0]).points_together(group, fractions) for group in groups])
 
 
 def chain_quadrature(curves: Sequence[Curve], nodes: int) -> tuple[Array, Array]:

@@ -12,6 +12,9 @@ from ..arrays import Array, ArrayLike
 from .curve import Curve
 from .family import Family
 
+_Value = Callable[[Curve, Array], Array]
+_MOST_KEPT = 16  # sets of fractions
+
 
 def chebyshev_stations(start: float, finish: float, degree: int) -> Array:
     """Extreme points (degree + 1,) of a Chebyshev polynomial between two parameters, both included, ascending."""
@@ -48,24 +51,43 @@ class Interpolated(Family):
         return _rate(self._middle, np.asarray(u, float))
 
     def member_point(self, u: ArrayLike, v: ArrayLike) -> Array:
-        return self._sum(self._weights(v), u, lambda curve, t: curve.point(curve.parameter(t)))
+        return self._sum(self._weights(v), u, _place)
 
     def member_derivative(self, u: ArrayLike, v: ArrayLike) -> Array:
         return self._sum(self._weights(v), u, _rate)
 
     def variation(self, u: ArrayLike, v: ArrayLike) -> Array:
         rates = self._weights(v) @ self._differentiation
-        return self._sum(rates, u, lambda curve, t: curve.point(curve.parameter(t)))
+        return self._sum(rates, u, _place)
 
     def extremes(self, start: float, finish: float) -> tuple[float, ...]:
         """None: tapers grow one way."""
         del start, finish
         return ()
 
-    def _sum(self, weights: Array, u: ArrayLike, value: Callable[[Curve, Array], Array]) -> Array:
-        """Σ weight value (..., d) over the members, at fractions u, broadcast against the weights' places."""
-        fractions = np.asarray(u, float)
-        return np.asarray(sum(weights[..., k, None] * value(curve, fractions) for k, curve in enumerate(self.members)))
+    def _sum(self, weights: Array, u: ArrayLike, value: _Value) -> Array:
+        """Σ weight value (..., d) over the members, at fractions u, broadcast against the weights' places.
+
+        On grids, and where member after member is looked at, the same fractions come again: each is evaluated once.
+        """
+        fractions, places = np.unique(np.asarray(u, float), return_inverse=True)
+        values, places = self._values(fractions, value), places.reshape(np.shape(u))
+        if weights.ndim == 1:
+            return np.asarray(np.tensordot(weights, values, 1)[places])
+        return np.asarray(sum(weights[..., k, None] * known[places] for k, known in enumerate(values)))
+
+    def _values(self, fractions: Array, value: _Value) -> Array:
+        """Values (members, n, d) of all members at fractions (n,); the last ones are kept."""
+        key = value, fractions.tobytes()
+        if key not in self._kept:
+            if len(self._kept) >= _MOST_KEPT:
+                self._kept.clear()
+            self._kept[key] = np.array([value(curve, fractions) for curve in self.members])
+        return self._kept[key]
+
+    @cached_property
+    def _kept(self) -> dict[tuple[_Value, bytes], Array]:
+        return {}
 
     @cached_property
     def _barycentric(self) -> Array:
@@ -91,6 +113,11 @@ class Interpolated(Family):
         np.fill_diagonal(matrix, 0.0)
         np.fill_diagonal(matrix, -matrix.sum(axis=1))
         return matrix
+
+
+def _place(curve: Curve, fraction: Array) -> Array:
+    """Points (..., d)."""
+    return curve.point(curve.parameter(fraction))
 
 
 def _rate(curve: Curve, fraction: Array) -> Array:

@@ -37,6 +37,10 @@ class Line(Curve):
         u = (a * (1.0 - fractions) + b * fractions)[..., None]
         return first * (1.0 - u) + last * u, (last - first) * (b - a)[..., None] + np.zeros_like(u)
 
+    @classmethod
+    def points_together(cls, curves: Sequence[Self], fractions: Array) -> Array:
+        return cls.together(curves, fractions)[0]
+
 
 def lines_through(points: ArrayLike) -> list[Line]:
     """The lines from point to point (n, d); equal neighbours are one point."""

@@ -44,6 +44,10 @@ class RationalBezier(Curve):
         points, slopes = _values(control, weights, first.parameter(fractions))
         return points, (first.interval[1] - first.interval[0]) * slopes
 
+    @classmethod
+    def points_together(cls, curves: Sequence[Self], fractions: Array) -> Array:
+        return cls.together(curves, fractions)[0]
+
 
 def _values(control: Array, weights: Array, u: ArrayLike) -> tuple[Array, Array]:
     """Points and derivatives at u, by the quotient rule on numerator and denominator."""

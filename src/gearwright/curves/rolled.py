@@ -61,15 +61,14 @@ class RolledCurve(Curve):
 
     def polar_angle(self, u: ArrayLike) -> Array:
         """δ (...) at parameters u (...), radians."""
-        x, y, z = np.moveaxis(self.point(u), -1, 0)
-        return np.arctan2(np.hypot(x, y), z)
+        _, bearing, distance = self.contact(u)
+        outward, beside, axial = self._contact_from_gear(bearing, distance)
+        return np.arctan2(np.hypot(outward, beside), axial)
 
     def azimuth(self, u: ArrayLike) -> Array:
         """ψ (...) at parameters u (...), radians, without jumps: 0 where turn and distance are."""
         turn, bearing, distance = self.contact(u)
-        outward, beside, _ = self._seen_from_gear(
-            np.cos(distance), np.sin(distance) * np.cos(bearing), np.sin(distance) * np.sin(bearing)
-        )
+        outward, beside, _ = self._contact_from_gear(bearing, distance)
         return turn / np.sin(self.pitch_angle) + np.arctan2(beside, outward)
 
     def at_polar_angle(self, polar: ArrayLike) -> Array:
@@ -95,6 +94,11 @@ class RolledCurve(Curve):
         x, y, z = self._seen_from_gear(along, beside, across)
         c, s = np.cos(turn / np.sin(self.pitch_angle)), np.sin(turn / np.sin(self.pitch_angle))
         return np.stack([c * x - s * y, s * x + c * y, z], axis=-1)
+
+    def _contact_from_gear(self, bearing: Array, distance: Array) -> tuple[Array, Array, Array]:
+        """The contact, as `_seen_from_gear` has it."""
+        beside, across = np.sin(distance) * np.cos(bearing), np.sin(distance) * np.sin(bearing)
+        return self._seen_from_gear(np.cos(distance), beside, across)
 
     def _seen_from_gear(self, along: Array, beside: Array, across: Array) -> tuple[Array, Array, Array]:
         """Components from the gear's axis towards the pitch point, along the pitch plane and along the axis."""

@@ -322,6 +322,14 @@ CROWNING = Parameter(
     symbol="C_β",
     minimum=0,
 )
+PROFILE_CROWNING = Parameter(
+    topic=_FLANKS,
+    meaning="profile crowning: by how much each flank is lower at its foot and its tip than on the pitch cone,"
+    " parabolically, along its normal at the outer end",
+    unit="length",
+    symbol="C_α",
+    minimum=0,
+)
 TIP_CHAMFER = Parameter(
     topic=_FLANKS, meaning="height of a chamfer of 45° between flank and tip", unit="length", symbol="h_K", minimum=0
 )

@@ -33,6 +33,12 @@ def undercut(teeth: int, shift: float, least_shift: float) -> list[str]:
     return [f"{teeth} teeth are undercut at their roots; a profile shift of {least_shift:.3g} or more would avoid it"]
 
 
+def undercut_by_crown(teeth: int) -> list[str]:
+    """Bevel teeth that the crown gear that generates them undercuts."""
+    ways = "more teeth, a larger pressure angle, a smaller dedendum or a positive profile shift would avoid it"
+    return [f"{teeth} teeth are undercut at their roots; {ways}"]
+
+
 def thin_tip(thickness: float, module: float, unit: str) -> list[str]:
     """Tips so thin that hardening would burn them."""
     if thickness >= _THIN_TIP * module:

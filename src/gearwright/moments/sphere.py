@@ -35,7 +35,7 @@ def region_moments(points: Array, tangents: Array, order: int = 1) -> Array:
     return patterned(moment_matrix(solid_angle, first, second), order)
 
 
-_NODES = 32  # from one polar angle to another; the integrands have their poles a right angle from the levels' own
+_NODES = 32  # from the pole to a polar angle, of sines and cosines
 
 
 def level_region_moments(parts: Sequence[tuple[Array, Array, int]], levels: float | None) -> Array:
@@ -46,7 +46,7 @@ def level_region_moments(parts: Sequence[tuple[Array, Array, int]], levels: floa
     levels   λ of r cos(θ − λ) = v, radians; None for the sphere r = v
 
     With w = r³/3, r⁴/4 or r⁵/5 at polar angle θ, ∫ w(θ) g(φ) dΩ = ∮ W(θ) g(φ) dφ, W(θ) = ∫ w sin θ dθ from the pole
-    where the region lies around it, else from anywhere. −z must lie outside the region.
+    where the region lies around it, else from anywhere. −z must lie outside the region, and cos(θ − λ) be positive.
     """
     steps = [(p[..., 0] * t[..., 1] - p[..., 1] * t[..., 0]) / (p[..., 0] ** 2 + p[..., 1] ** 2) for p, t, _ in parts]
     turns = sum(np.sum(step, axis=-1) * order for step, (_, _, order) in zip(steps, parts, strict=True))
@@ -54,9 +54,7 @@ def level_region_moments(parts: Sequence[tuple[Array, Array, int]], levels: floa
     found = np.zeros(())
     for step, (points, _, order) in zip(steps, parts, strict=True):
         rho = np.hypot(points[..., 0], points[..., 1])
-        theta = np.arctan2(rho, points[..., 2])
-        first = np.where(around, 0.0, levels or 0.0)[..., None]
-        one, across, along, square, mixed, axial = _polar_primitives(first, theta, levels)
+        one, across, along, square, mixed, axial = _primitives(around[..., None], rho, points[..., 2], levels)
         x, y = points[..., 0] / rho, points[..., 1] / rho
         entries = [
             [one, across * x, across * y, along],
@@ -69,13 +67,25 @@ def level_region_moments(parts: Sequence[tuple[Array, Array, int]], levels: floa
     return found
 
 
-def _polar_primitives(first: Array, theta: Array, levels: float | None) -> Array:
-    """∫ of sin t r³/3; of sin² t and sin t cos t, r⁴/4; of sin³ t, sin² t cos t and sin t cos² t, r⁵/5 (6, ...)."""
-    x, w = gauss_legendre(_NODES)
-    half = (theta - first) / 2.0
-    t = (theta + first)[..., None] / 2.0 + half[..., None] * x
-    r = np.ones_like(t) if levels is None else 1.0 / np.cos(t - levels)
-    s, c = np.sin(t), np.cos(t)
-    cube, fourth, fifth = r**3 / 3.0, r**4 / 4.0, r**5 / 5.0
-    values = (s * cube, s * s * fourth, s * c * fourth, s**3 * fifth, s * s * c * fifth, s * c * c * fifth)
+def _primitives(around: Array, rho: Array, height: Array, levels: float | None) -> Array:
+    """∫ of ρ/3; of ρ²/4 and ρ z/4; of ρ³/5, ρ² z/5 and ρ z²/5 (6, ...) along the level's meridian up to a point.
+
+    rho, height   (...)  of the point's direction on the unit sphere
+
+    On a sphere by the polar angle; a cone's meridian is a straight line, ρ = sin λ + u cos λ and z = cos λ − u sin λ,
+    along which r³ sin θ dθ = ρ du, and so on: polynomials in u = tan(θ − λ), whatever the angle.
+    """
+    if levels is None:
+        x, w = gauss_legendre(_NODES)
+        half = np.arctan2(rho, height) / 2.0
+        angle = half[..., None] * (1.0 + x)
+        out, up = np.sin(angle), np.cos(angle)
+    else:
+        c, s = np.cos(levels), np.sin(levels)
+        first, last = np.where(around, -s / c, 0.0), (rho * c - height * s) / (height * c + rho * s)
+        x, w = gauss_legendre(2)
+        half = (last - first) / 2.0
+        u = (last + first)[..., None] / 2.0 + half[..., None] * x
+        out, up = s + u * c, c - u * s
+    values = (out / 3.0, out**2 / 4.0, out * up / 4.0, out**3 / 5.0, out**2 * up / 5.0, out * up**2 / 5.0)
     return np.stack([(value @ w) * half for value in values])

@@ -14,7 +14,7 @@ from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
-from .ends import ConstantEnd, End, Ends
+from .ends import Ends
 from .motion import Motion
 from .parallel import applied
 from .plane_quadrature import quadrature_moments
@@ -60,18 +60,15 @@ class Along(Motion):
         element = speed - np.sum(self._in_plane(point, v) * self._bend(v), axis=-1)
         return element if self.transform is None else np.linalg.det(self.transform.linear(self._fraction(v))) * element
 
-    def end_surface(self, end: End) -> Surface:
-        if not isinstance(end, ConstantEnd):
-            raise TypeError("a sweep along a path ends on planes across it, at constant parameters")
-        axes = self.frame.across(end.parameter)
-        origin = self.frame.path.point(end.parameter)
+    def end_surface(self, v: float) -> Surface:
+        axes = self.frame.across(v)
+        origin = self.frame.path.point(v)
         return Plane(origin=_triple(origin), x_axis=_triple(axes[:, 0]), y_axis=_triple(axes[:, 1]))
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if not isinstance(section, Section):
             return None
-        return quadrature_moments(self, section, *constants)
+        return quadrature_moments(self, section, ends.start, ends.finish)
 
     def panels(self, start: float, finish: float) -> tuple[float, ...]:
         found = [*self.frame.panels]
@@ -85,9 +82,9 @@ class Along(Motion):
     def breaks(self, ends: Ends) -> tuple[float, ...]:
         if self.transform is None:
             return ()
-        path, (start, finish) = self.frame.path, ends.constants or (0.0, 0.0)
+        path = self.frame.path
         found = [_parameter_at(path, kink * path.length) for kink in self.transform.series.kinks]
-        return tuple(u for u in found if start < u < finish)
+        return tuple(u for u in found if ends.start < u < ends.finish)
 
     def station(self, v: float) -> str:
         return f"path parameter {v:.6g}"
@@ -114,7 +111,7 @@ class Along(Motion):
         return super().refusal(ends)
 
     def closed(self, ends: Ends) -> bool:
-        return self.frame.path.closed and ends.constants == (0.0, 1.0)
+        return self.frame.path.closed and (ends.start, ends.finish) == (0.0, 1.0)
 
     @property
     def rotation_order(self) -> int:

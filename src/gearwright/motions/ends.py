@@ -1,8 +1,7 @@
-"""Where a motion starts and stops, as constants or as functions of the section point."""
+"""Where a motion starts and stops."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -13,65 +12,31 @@ from ..arrays import Array, ArrayLike
 
 
 @dataclass(frozen=True, kw_only=True)
-class End(ABC):
-    """One end of a motion: its parameter as a function of the section point."""
-
-    @abstractmethod
-    def value(self, point: Array) -> Array:
-        """Motion parameter v (...) at section points (..., d)."""
-
-    @abstractmethod
-    def gradient(self, point: Array) -> Array:
-        """dv/dp (..., d)."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class ConstantEnd(End):
-    """An end at the same parameter everywhere: a plane end of an extrusion, a sphere of a radial sweep."""
-
-    parameter: float
-
-    def value(self, point: Array) -> Array:
-        return np.full(point.shape[:-1], self.parameter)
-
-    def gradient(self, point: Array) -> Array:
-        return np.zeros(point.shape)
-
-
-@dataclass(frozen=True, kw_only=True)
 class Ends:
-    """The two ends of a motion; at fraction t between them v = (1 − t) start + t finish."""
+    """The parameters of a motion's two ends, the same for all section points.
 
-    start: End
-    finish: End
+    Between them v = (1 − t) start + t finish. Which surfaces they are is the motion's: planes of an extrusion; spheres,
+    cones or planes of a radial sweep.
+    """
 
-    def value(self, point: Array, fraction: ArrayLike) -> Array:
-        """Motion parameter v (...) at section points (..., d) and fractions t (...)."""
+    start: float
+    finish: float
+
+    def at(self, fraction: ArrayLike) -> Array:
+        """Motion parameters v (...) at fractions t (...)."""
         t = np.asarray(fraction, float)
-        return (1.0 - t) * self.start.value(point) + t * self.finish.value(point)
+        return (1.0 - t) * self.start + t * self.finish
 
-    def gradient(self, point: Array, fraction: ArrayLike) -> Array:
-        """dv/dp (..., d) at fixed t."""
-        t = np.asarray(fraction, float)[..., None]
-        return (1.0 - t) * self.start.gradient(point) + t * self.finish.gradient(point)
-
-    def span(self, point: Array) -> Array:
-        """dv/dt (...)."""
-        return self.finish.value(point) - self.start.value(point)
+    @property
+    def span(self) -> float:
+        """dv/dt."""
+        return self.finish - self.start
 
     def spans(self, breaks: Sequence[float]) -> tuple[Ends, ...]:
         """The ends of each smooth span, cut at a motion's breaks."""
-        stations = (self.start, *(ConstantEnd(parameter=b) for b in breaks), self.finish)
-        return tuple(Ends(start=a, finish=b) for a, b in pairwise(stations))
-
-    @property
-    def constants(self) -> tuple[float, float] | None:
-        """Both parameters where both ends are constant, else None."""
-        if isinstance(self.start, ConstantEnd) and isinstance(self.finish, ConstantEnd):
-            return self.start.parameter, self.finish.parameter
-        return None
+        return tuple(Ends(start=a, finish=b) for a, b in pairwise((self.start, *breaks, self.finish)))
 
 
 def between(start: float, finish: float) -> Ends:
-    """Constant ends."""
-    return Ends(start=ConstantEnd(parameter=start), finish=ConstantEnd(parameter=finish))
+    """Ends at two parameters."""
+    return Ends(start=float(start), finish=float(finish))

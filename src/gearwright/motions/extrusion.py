@@ -65,8 +65,7 @@ class Extrusion(ParallelMotion):
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         """In closed form; by quadrature for a section that varies, or so far off that the closed form loses digits."""
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if not isinstance(section, Section):
             return None
         if section.varies:
             return super().moments(section, ends)
@@ -75,7 +74,7 @@ class Extrusion(ParallelMotion):
         reach = abs(centre) ** 2 / gyration
         if reach > _FAR:
             return super().moments(section, ends)
-        half, middle = (constants[1] - constants[0]) / 2.0, (constants[0] + constants[1]) / 2.0
+        half, middle = ends.span / 2.0, (ends.start + ends.finish) / 2.0
         at, share = middle / self.length, half / self.length
         growth = [s - 1.0 for s in self.scale]
         offset = complex(*self.skew)

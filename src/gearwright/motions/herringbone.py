@@ -57,12 +57,10 @@ class Herringbone(ParallelMotion):
         return np.zeros((*np.shape(v), 2))
 
     def breaks(self, ends: Ends) -> tuple[float, ...]:
-        start, finish = ends.constants or (0.0, 0.0)
-        return (self.middle,) if start < self.middle < finish else ()
+        return (self.middle,) if ends.start < self.middle < ends.finish else ()
 
     def smooth_piece(self, span: Ends) -> Extrusion:
-        start, finish = span.constants or (0.0, 0.0)
-        return self.lower if start + finish < self.length else self.upper
+        return self.lower if span.start + span.finish < self.length else self.upper
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
         """The sum of both halves, each in closed form."""

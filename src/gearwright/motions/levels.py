@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..arrays import Array
@@ -25,9 +27,11 @@ def level_moments(section: SphericalSection, levels: float | None, start: float,
     if not section.varies:
         (unit,), error = _unit_moments(section, levels, np.array([start]))
         return about_centroid(unit * _power_difference(start, finish), "exact", error)
-    errors = [section.moments_error]
+    errors, evaluations = [section.moments_error], 0
 
     def matrix(nodes: int) -> Array:
+        nonlocal evaluations
+        evaluations += nodes
         x, w = gauss_legendre(nodes)
         v = (start + finish) / 2.0 + (finish - start) / 2.0 * x
         units, error = _unit_moments(section, levels, v)
@@ -37,7 +41,8 @@ def level_moments(section: SphericalSection, levels: float | None, start: float,
 
     scaled, error = converged(matrix)
     unit = affine(finish * np.eye(3), np.zeros(3))
-    return about_centroid(finish**3 * (unit @ scaled @ unit.T), "exact", error + max(errors))
+    body = about_centroid(finish**3 * (unit @ scaled @ unit.T), "exact", error + max(errors))
+    return replace(body, evaluations=evaluations)
 
 
 def _unit_moments(section: SphericalSection, levels: float | None, v: Array) -> tuple[Array, float]:

@@ -10,7 +10,7 @@ from ..curves.curve import Curve
 from ..moments.body import BodyMoments
 from ..sections.section import LoopedSection
 from ..surfaces.surface import Surface
-from .ends import End, Ends
+from .ends import Ends
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,8 +39,8 @@ class Motion(ABC):
         """Volume element (...): dV = jacobian dS dv. The motion is locally valid where it is positive."""
 
     @abstractmethod
-    def end_surface(self, end: End) -> Surface:
-        """The surface on which the section lies at one end; its normal points along increasing v."""
+    def end_surface(self, v: float) -> Surface:
+        """The surface on which the section lies at a parameter, as at one end; its normal points along increasing v."""
 
     def swept_surface(self, curve: Curve) -> Surface | None:
         """The surface, if it is one of ours, that a curve sweeps; else None."""
@@ -54,9 +54,8 @@ class Motion(ABC):
 
     def refusal(self, ends: Ends) -> str | None:
         """Why the motion cannot go between these ends; None where it can."""
-        constants = ends.constants
-        if constants is not None and not constants[0] < constants[1]:
-            return f"the motion must end beyond its start, {constants[0]:.6g}, not at {constants[1]:.6g}"
+        if not ends.start < ends.finish:
+            return f"the motion must end beyond its start, {ends.start:.6g}, not at {ends.finish:.6g}"
         return None
 
     def breaks(self, ends: Ends) -> tuple[float, ...]:

@@ -13,7 +13,7 @@ from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.plane import Plane
 from ..surfaces.surface import Surface
-from .ends import ConstantEnd, End, Ends
+from .ends import Ends
 from .motion import Motion
 from .plane_quadrature import quadrature_moments
 
@@ -54,14 +54,13 @@ class ParallelMotion(Motion):
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.linalg.det(self.linear(v)) + np.zeros(point.shape[:-1])
 
-    def end_surface(self, end: End) -> Surface:
-        return level_plane(end)
+    def end_surface(self, v: float) -> Surface:
+        return level_plane(v)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if not isinstance(section, Section):
             return None
-        return quadrature_moments(self, section, *constants)
+        return quadrature_moments(self, section, ends.start, ends.finish)
 
     @property
     def layered(self) -> bool:
@@ -75,11 +74,9 @@ class ParallelMotion(Motion):
         return f"the map's determinant f₁g₂ − f₂g₁ is {element:.4g} there; it must stay greater than 0"
 
 
-def level_plane(end: End) -> Plane:
-    """The plane z = constant on which a parallel sweep ends; its normal is +z. Raises TypeError for other ends."""
-    if not isinstance(end, ConstantEnd):
-        raise TypeError("a parallel sweep ends on planes of constant z")
-    return Plane(origin=(0.0, 0.0, end.parameter))
+def level_plane(height: float) -> Plane:
+    """The plane z = height on which a parallel sweep ends; its normal is +z."""
+    return Plane(origin=(0.0, 0.0, height))
 
 
 def in_space(vectors: Array, z: ArrayLike) -> Array:

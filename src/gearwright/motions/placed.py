@@ -13,7 +13,7 @@ from ..placement import Placement
 from ..sections.section import LoopedSection
 from ..surfaces.placed import placed_surface
 from ..surfaces.surface import Surface
-from .ends import End, Ends
+from .ends import Ends
 from .motion import Motion
 
 
@@ -36,8 +36,8 @@ class Placed(Motion):
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return self.motion.jacobian(point, v)
 
-    def end_surface(self, end: End) -> Surface:
-        return placed_surface(self.motion.end_surface(end), self.placement)
+    def end_surface(self, v: float) -> Surface:
+        return placed_surface(self.motion.end_surface(v), self.placement)
 
     def swept_surface(self, curve: Curve) -> Surface | None:
         surface = self.motion.swept_surface(curve)

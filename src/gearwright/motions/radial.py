@@ -17,7 +17,7 @@ from ..surfaces.cone import Cone
 from ..surfaces.plane import Plane
 from ..surfaces.sphere import Sphere
 from ..surfaces.surface import Surface
-from .ends import ConstantEnd, End, Ends
+from .ends import Ends
 from .levels import level_moments
 from .motion import Motion
 
@@ -84,14 +84,10 @@ class Radial(Motion):
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.asarray(v, float) ** 2 / self._height(point) ** 3
 
-    def end_surface(self, end: End) -> Surface:
-        if not isinstance(end, ConstantEnd):
-            raise TypeError("a radial sweep ends on levels of constant distance: spheres, cones or planes")
+    def end_surface(self, v: float) -> Surface:
         if self.levels is None:
-            return Sphere(radius=end.parameter)
-        if self.levels == 0.0:
-            return Plane(origin=(0.0, 0.0, end.parameter))
-        return Cone(angle=self.levels, distance=end.parameter)
+            return Sphere(radius=v)
+        return Plane(origin=(0.0, 0.0, v)) if self.levels == 0.0 else Cone(angle=self.levels, distance=v)
 
     @property
     def layered(self) -> bool:
@@ -106,10 +102,9 @@ class Radial(Motion):
         A section with three or more equal sectors has the same moments on every sphere however it is turned, and so
         has the body. Others that turn have no reduction between cones and planes, or where they vary.
         """
-        constants = ends.constants
-        if constants is None or not isinstance(section, SphericalSection):
+        if not isinstance(section, SphericalSection):
             return None
-        start, finish = constants
+        start, finish = ends.start, ends.finish
         # the difference of two cone distances loses what their ratio to the width says
         width_error = float(np.finfo(float).eps) * finish / (finish - start)
         if self.levels is None and not section.varies:

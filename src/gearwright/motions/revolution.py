@@ -18,10 +18,11 @@ from ..surfaces.cone import Cone
 from ..surfaces.plane import Plane
 from ..surfaces.sphere import Sphere
 from ..surfaces.surface import Surface
-from .ends import ConstantEnd, End, Ends
+from .ends import Ends
 from .motion import Motion
 
 FULL_TURN = 2.0 * np.pi
+_ROUNDED = 1e-11  # radians: a cylinder's line may lean so far by the rounding of its ends
 _CLOSED = 1e-12  # how far from a full turn still closes: some roundings of 2π
 
 
@@ -47,10 +48,8 @@ class Revolution(Motion):
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return point[..., 0] + np.zeros(np.shape(v))
 
-    def end_surface(self, end: End) -> Surface:
-        if not isinstance(end, ConstantEnd):
-            raise TypeError("a revolution ends on half-planes of constant azimuth")
-        c, s = float(np.cos(end.parameter)), float(np.sin(end.parameter))
+    def end_surface(self, v: float) -> Surface:
+        c, s = float(np.cos(v)), float(np.sin(v))
         return Plane(origin=(0.0, 0.0, 0.0), x_axis=(c, -s, 0.0), y_axis=(0.0, 0.0, 1.0))
 
     def swept_surface(self, curve: Curve) -> Surface | None:
@@ -61,18 +60,16 @@ class Revolution(Motion):
         return _cone(curve) if isinstance(curve, Line) else None
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section) or section.varies:
+        if not isinstance(section, Section) or section.varies:
             return None
         local = section.local_moments
         level = float(local.origin[1])
-        matrix = revolution_sweep(local.about((0.0, level)), -constants[1], -constants[0])
+        matrix = revolution_sweep(local.about((0.0, level)), -ends.finish, -ends.start)
         return about_centroid(matrix, "exact", section.moments_error, np.array([0.0, 0.0, level]))
 
     def refusal(self, ends: Ends) -> str | None:
-        constants = ends.constants
-        if constants is not None and constants[1] - constants[0] > FULL_TURN + _CLOSED:
-            return f"a revolution of {np.degrees(constants[1] - constants[0]):.6g}° would run into itself; 360° is all"
+        if ends.span > FULL_TURN + _CLOSED:
+            return f"a revolution of {np.degrees(ends.span):.6g}° would run into itself; 360° is all"
         return super().refusal(ends)
 
     def station(self, v: float) -> str:
@@ -91,8 +88,7 @@ class Revolution(Motion):
         return 1
 
     def closed(self, ends: Ends) -> bool:
-        constants = ends.constants
-        return constants is not None and abs(constants[1] - constants[0] - FULL_TURN) < _CLOSED
+        return abs(ends.span - FULL_TURN) < _CLOSED
 
 
 def _cone(line: Line) -> Cone | None:
@@ -102,4 +98,6 @@ def _cone(line: Line) -> Cone | None:
     sense = 1.0 if across > 0.0 else -1.0
     angle = float(np.arctan2(sense * across, sense * up))
     distance = float(first_rho * np.sin(angle) + first_z * np.cos(angle))
-    return Cone(angle=angle, distance=distance) if angle <= np.pi / 2.0 and distance > 0.0 else None
+    if angle > np.pi / 2.0 + _ROUNDED or distance <= 0.0:
+        return None
+    return Cone(angle=min(angle, np.pi / 2.0), distance=distance)

@@ -12,7 +12,7 @@ from ..moments.sweep import straight_sweep
 from ..sections.plane import Section
 from ..sections.section import LoopedSection
 from ..surfaces.surface import Surface
-from .ends import End, Ends
+from .ends import Ends
 from .motion import Motion
 from .parallel import in_space, level_plane
 from .plane_quadrature import quadrature_moments
@@ -35,14 +35,13 @@ class Straight(Motion):
     def jacobian(self, point: Array, v: ArrayLike) -> Array:
         return np.ones(np.broadcast_shapes(point.shape[:-1], np.shape(v)))
 
-    def end_surface(self, end: End) -> Surface:
-        return level_plane(end)
+    def end_surface(self, v: float) -> Surface:
+        return level_plane(v)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if not isinstance(section, Section):
             return None
-        start, finish = constants
+        start, finish = ends.start, ends.finish
         if section.varies:
             return quadrature_moments(self, section, start, finish)
         local = section.local_moments

@@ -39,15 +39,13 @@ class Transforming(ParallelMotion):
         return self.transform.offset_rate(v)
 
     def moments(self, section: LoopedSection, ends: Ends) -> BodyMoments | None:
-        constants = ends.constants
-        if constants is None or not isinstance(section, Section):
+        if not isinstance(section, Section):
             return None
-        body = quadrature_moments(self, section, *constants, self.tolerance)
+        body = quadrature_moments(self, section, ends.start, ends.finish, self.tolerance)
         return replace(body, error_bound=body.error_bound + self.transform.series.error)
 
     def breaks(self, ends: Ends) -> tuple[float, ...]:
-        start, finish = ends.constants or (0.0, 0.0)
-        return tuple(kink for kink in self.transform.series.kinks if start < kink < finish)
+        return tuple(kink for kink in self.transform.series.kinks if ends.start < kink < ends.finish)
 
     def panels(self, start: float, finish: float) -> tuple[float, ...]:
         return tuple(float(x) for x in self.transform.series.breaks if start < x < finish)

@@ -109,7 +109,8 @@ class Parameter:
             return False
         from_nought = self.minimum is not None and self.minimum >= 0
         lowest = self.above if self.above is not None else 0.0 if from_nought else -math.inf
-        inside = value > lowest if self.above is not None or self.kind == "integer" else value >= lowest
+        counts = self.kind == "integer" and self.minimum != 0  # of something there must be one of
+        inside = value > lowest if self.above is not None or counts else value >= lowest
         return inside and (self.unit != "angle" or self._limit_problem(float(value)) is None)
 
     def _limit_problem(self, value: float) -> str | None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import along, turn
+from ..curves.curve import points_along, turn
 from ..errors import Problem
 from .loop import Loop
 
@@ -24,7 +24,8 @@ def crossing_problems(loops: Sequence[Loop]) -> list[Problem]:
     Found on chords (straight sides are their own), coarse ones first: what seems to cross is looked at again
     with chords a thousand times closer to the curves.
     """
-    looks = [_all_round(loop, along(loop.curves, np.linspace(0.0, 1.0, _LOOK + 1))[0].reshape(-1, 2)) for loop in loops]
+    fractions = np.linspace(0.0, 1.0, _LOOK + 1)
+    looks = [_all_round(loop, points_along(loop.curves, fractions).reshape(-1, 2)) for loop in loops]
     size = float(np.ptp(np.concatenate(looks), axis=0).max())
     coarse = _problem([_chords(loop, _COARSE) for loop in loops], _DOUBT * _COARSE * size)
     fine = _problem([_chords(loop, _FINE) for loop in loops], _DOUBT * _FINE * size) if coarse else None
@@ -93,7 +94,7 @@ def _all_round(loop: Loop, points: Array) -> Array:
 def _chords(loop: Loop, tolerance: float) -> Array:
     """Points (n, 2) all round a loop, with chords within the tolerance × size of its curves."""
     curves = loop.curves
-    looks, _ = along(curves, np.linspace(0.0, 1.0, _LOOK + 1))
+    looks = points_along(curves, np.linspace(0.0, 1.0, _LOOK + 1))
     size = float(np.ptp(_all_round(loop, looks.reshape(-1, 2)), axis=0).max())
     sagitta = np.linalg.norm(looks[:, 2:] - 2.0 * looks[:, 1:-1] + looks[:, :-2], axis=-1).max(axis=1) / 8.0
     wanted = _LOOK * np.sqrt(sagitta / (tolerance * size))
@@ -101,7 +102,7 @@ def _chords(loop: Loop, tolerance: float) -> Array:
     pieces: list[Array] = [np.empty((0, 2))] * len(curves)
     for count in np.unique(counts):
         chosen = np.flatnonzero(counts == count)
-        points, _ = along([curves[int(i)] for i in chosen], np.arange(count) / count)
+        points = points_along([curves[int(i)] for i in chosen], np.arange(count) / count)
         for i, piece in zip(chosen, points, strict=True):
             pieces[i] = piece
     return _all_round(loop, np.concatenate(pieces))

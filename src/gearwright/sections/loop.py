@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve, along, chain_quadrature, mapped, turn
+from ..curves.curve import Curve, chain_quadrature, mapped, points_along, turn
 from ..errors import GeometryError, Problem
 
 CLOSURE = 1e-9
@@ -46,7 +46,7 @@ class Loop:
 
     def _gaps(self) -> list[Problem]:
         dimension = self.curves[0].start.size
-        points, _ = along(self.curves, np.array([0.0, 0.5, 1.0]))
+        points = points_along(self.curves, np.array([0.0, 0.5, 1.0]))
         size = float(np.max(np.abs(points))) or 1.0
         starts, ends = points[:, 0], points[:, 2]
         ends[-1] = turn(-self.sense * 2.0 * np.pi / self.copies, dimension) @ ends[-1]

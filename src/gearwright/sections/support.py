@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..curves.curve import Curve, along
+from ..curves.curve import Curve, points_along
 
 _SAMPLES = 33  # a curve; between neighbours an extreme is unique
 _NEAREST = 3  # samples from which an extreme is sought: where curves join, it may lie beyond the best one
@@ -59,7 +59,7 @@ def support(curves: Sequence[Curve]) -> Support:
     from scipy.spatial import ConvexHull
 
     fractions = np.linspace(0.0, 1.0, _SAMPLES)
-    points, _ = along(curves, fractions)
+    points = points_along(curves, fractions)
     origins = np.stack(np.meshgrid(np.arange(len(curves)), fractions, indexing="ij"), axis=-1).reshape(-1, 2)
     flat = points.reshape(-1, 2)
     hull = ConvexHull(flat).vertices

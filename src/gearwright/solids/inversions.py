@@ -32,17 +32,17 @@ def inversions(section: LoopedSection, motion: Motion, ends: Ends) -> list[Probl
     For plane sections it is linear in the section point, J = j + k·p, so that its least value at a parameter is
     j − h(−k) with the section's support function h: exact. Its minimum over the parameter is bracketed.
     """
-    constants = ends.constants
-    if constants is None or not isinstance(section, Section):
+    if not isinstance(section, Section):
         return _sampled(section, motion, ends)
     least = _Least(section, motion)
-    stations = _stations(least, motion, *constants)
+    stations = _stations(least, motion, ends.start, ends.finish)
     rough, doubt = least.roughly(stations)
     scale = float(np.mean(np.abs(rough) + doubt))
     limit = -_STILL * scale if motion.has_still_points else _NOUGHT * scale
     if np.min(rough - _DOUBTFUL * doubt) > _FAR * np.max(rough):
         return []
-    worst = lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
+    steady = not np.any(np.ptp(least.coefficients(stations), axis=0))  # as of a revolution
+    worst = float(stations[0]) if steady else lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
     value, point = least.exactly(worst)
     if value > limit:
         return _pinches(section, motion, worst, _STILL * scale) if motion.has_still_points else []
@@ -151,7 +151,7 @@ def _sampled(section: LoopedSection, motion: Motion, ends: Ends) -> list[Problem
     points = np.concatenate([loop.quadrature(_SAMPLES)[0] for loop in section.loops])
     problems = []
     for fraction in (0.0, 0.5, 1.0):
-        stations = ends.value(points, np.full(len(points), fraction))
+        stations = ends.at(np.full(len(points), fraction))
         elements = motion.jacobian(points, stations)
         worst = int(np.argmin(elements))
         if elements[worst] < 0.0:

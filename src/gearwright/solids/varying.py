@@ -17,16 +17,15 @@ def varying_problems(section: LoopedSection, motion: Motion, ends: Ends) -> list
     tried against every member's own reach, and are refused. Members are looked at on both ends, where what varies turns
     back, and between.
     """
-    constants = ends.constants
-    if constants is None or not motion.layered:
+    if not motion.layered:
         return [
             Problem(
                 "the section varies along the motion",
-                f"only straight and helical extrusions, other parallel sweeps and radial ones between constant levels"
+                f"only straight and helical extrusions, other parallel sweeps and radial ones"
                 f" take such a section, not {type(motion).__name__}; sweep one of its members, section.at(v)",
             )
         ]
-    found = first_unsound(section, looks(section, *constants))
+    found = first_unsound(section, looks(section, ends.start, ends.finish))
     if found is None:
         return []
     where, problems = found

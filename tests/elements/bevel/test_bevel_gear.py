@@ -7,10 +7,10 @@ from gearwright.curves.spherical_involute import azimuth, roll_at_polar_angle
 from gearwright.elements.bevel.bevel_gear import BevelGear
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
-from ...examples import BEVEL_PARTS, built
+from ...examples import SHARP, SHARP_PARTS, built
 from ...laws.contact import involute_patches
 
-every_bevel = pytest.mark.parametrize("part", BEVEL_PARTS, ids=str)
+every_bevel = pytest.mark.parametrize("part", SHARP_PARTS, ids=str)
 U, V = (a.ravel() for a in np.meshgrid(np.linspace(0.0, 1.0, 9), np.linspace(0.0, 1.0, 5)))
 
 
@@ -27,15 +27,15 @@ def _spherical(points):
 @every_bevel
 def test_flanks_are_spherical_involutes_of_the_stated_thickness(part):
     gear = built(part)
-    base, half = gear.base_cone_angle, gear.outer_thickness / gear.pitch_radius / 2.0
+    base, half = gear.tooth.base_cone_angle, gear.outer_thickness / gear.pitch_radius / 2.0
     at_pitch = azimuth(roll_at_polar_angle(gear.pitch_cone_angle, base), base)
     for patch, side in zip(involute_patches(gear), (-1.0, 1.0), strict=True):
         distance, polar, turned = _spherical(patch.point(U, V))
         own = turned - gear.tooth_trace.turn(distance)
         beyond = azimuth(roll_at_polar_angle(np.clip(polar, base, np.pi - base), base), base) - at_pitch
         np.testing.assert_allclose(side * own, half - beyond, atol=1e-9)
-        assert polar.min() == pytest.approx(max(base, gear.root_angle), abs=1e-12)
-        assert polar.max() == pytest.approx(gear.face_angle, abs=1e-12)
+        assert polar.min() == pytest.approx(max(base, gear.tooth.root_angle), abs=1e-12)
+        assert polar.max() == pytest.approx(gear.tooth.face_angle, abs=1e-12)
         assert distance.min() == pytest.approx(gear.inner_distance)
         assert distance.max() == pytest.approx(gear.cone_distance)
 
@@ -50,7 +50,7 @@ def test_flanks_are_normal_to_the_base_cone_s_tangent_plane(part):
         pole = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
         assert np.abs(np.sum(pole * points, axis=1)).max() < 1e-12 * gear.cone_distance
         # the great circle normal to the curve has the tangent for its pole, 90° − γ_b from the axis or 90° + γ_b
-        np.testing.assert_allclose(np.abs(pole[:, 2]), np.sin(gear.base_cone_angle), atol=1e-12)
+        np.testing.assert_allclose(np.abs(pole[:, 2]), np.sin(gear.tooth.base_cone_angle), atol=1e-12)
 
 
 @every_bevel
@@ -59,8 +59,8 @@ def test_tip_and_root_lie_on_the_face_and_root_cones(part):
     flat = [p for p in gear.boundary.patches if np.ptp(_spherical(p.point(U, V))[1]) < 1e-12]
     assert len(flat) == 2
     root, tip = sorted(float(_spherical(p.point(U, V))[1].mean()) for p in flat)
-    assert tip == pytest.approx(gear.face_angle, abs=1e-12)
-    assert root == pytest.approx(gear.root_angle, abs=1e-12)
+    assert tip == pytest.approx(gear.tooth.face_angle, abs=1e-12)
+    assert root == pytest.approx(gear.tooth.root_angle, abs=1e-12)
 
 
 @every_bevel
@@ -144,7 +144,7 @@ def test_first_tooth_is_centred_on_x_at_the_mean_cone_distance(part):
 
 
 def test_bore_is_a_cylinder_through_the_body():
-    gear = BevelGear(teeth=20, module=4.0, pitch_angle=50.0, face_width=15.0, bore=30.0)
+    gear = BevelGear(teeth=20, module=4.0, pitch_angle=50.0, face_width=15.0, bore=30.0, **SHARP)
     cylinder = [
         patch
         for patch in gear.boundary.patches
@@ -163,7 +163,7 @@ def test_bore_is_a_cylinder_through_the_body():
 def test_bore_takes_away_a_cylinder_between_spheres():
     """π ∫ over the bore of the height between the two spheres, in closed form."""
     plain, bored = (
-        BevelGear(teeth=20, module=4.0, pitch_angle=50.0, face_width=15.0, bore=bore) for bore in (None, 30.0)
+        BevelGear(teeth=20, module=4.0, pitch_angle=50.0, face_width=15.0, bore=bore, **SHARP) for bore in (None, 30.0)
     )
     ends = plain.cone_distance, plain.inner_distance
     caps = [2.0 * np.pi / 3.0 * (r**3 - (r**2 - 225.0) ** 1.5) for r in ends]

@@ -6,6 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gearwright.elements.bevel.bevel_gear import BevelGear
+
 from .generating_crown import GeneratingCrown
 from .teeth import PRESSURE, polar_and_azimuth, tooth
 
@@ -156,3 +158,13 @@ def test_no_warning_whatever_the_radius():
             assert isinstance(cut.fillet.undercuts, bool)
             assert isinstance(cut.fillet.crown_tip.reaches, bool)
             assert np.isfinite(cut.largest_tip_radius)
+
+
+@pytest.mark.parametrize("form", ["involute", "octoid"])
+def test_a_radius_of_the_librarys_own_leaves_a_root_arc_all_along_teeth_of_uniform_depth(form):
+    """Their spaces are narrowest at the toe: a tip that is round all over there would end the root arc on the way."""
+    gear = BevelGear(teeth=20, mate_teeth=16, module=4, face_width=15, taper="uniform", tooth_form=form)
+    assert gear.generating_tip_radius < 1.0, "a quarter of the module does not fit"
+    inner, outer = gear.bevel_teeth.inner.root_space, gear.bevel_teeth.outer.root_space
+    assert 0.0 < inner < outer
+    assert gear.properties().error_bound < 1e-12

@@ -12,7 +12,7 @@ SPIRAL = {"trace": "logarithmic", "spiral_angle": 35.0}
 
 def outer(pair):
     """h_ae, h_fe and s_e of both members."""
-    return [(g.outer_addendum, g.outer_dedendum, g.outer_thickness) for g in (pair.pinion, pair.gear)]
+    return [(g.proportions.addendum, g.proportions.dedendum, g.outer_thickness) for g in (pair.pinion, pair.gear)]
 
 
 def test_equal_addenda_are_what_gears_have_without_a_standard():
@@ -45,10 +45,9 @@ def test_members_have_the_heights_of_their_standard(more, pinion, gear):
 
 def test_spiral_teeth_thicken_with_the_transverse_pressure_angle_that_they_keep():
     """α_t = atan(tan 20°/cos 35°) is KHK's 20° in the normal section; K = 0.060."""
+    pair = gw.BevelPair(**PAIR, **SPIRAL, standard="gleason-spiral", thickness_modification=0.03)
     transverse = float(np.degrees(np.arctan(np.tan(np.radians(20.0)) / np.cos(np.radians(35.0)))))
-    pair = gw.BevelPair(
-        **PAIR, **SPIRAL, standard="gleason-spiral", pressure_angle=transverse, thickness_modification=0.03
-    )
+    assert pair.pinion.pressure_angle == pytest.approx(transverse)
     assert [values[2] for values in outer(pair)] == pytest.approx([5.6722, 3.7526], abs=5.1e-5)
 
 
@@ -76,9 +75,13 @@ def test_iso_23509_settles_outer_sizes_from_mid_face():
     assert outer(shifted)[0] == pytest.approx(outer(shifted)[1])
 
 
-def test_tapers_that_are_not_built_are_remarked():
-    for more in ({"standard": "gleason-straight"}, {"standard": "iso-23509"}):
-        assert any(more["standard"] in remark and "taper" in remark for remark in gw.BevelPair(**PAIR, **more).remarks)
+def test_members_have_the_taper_of_their_standard():
+    """Tip cones of the Gleason system are parallel to the mates' root cones."""
+    pair = gw.BevelPair(**PAIR, standard="gleason-straight")
+    pinion, gear = pair.pinion.proportions, pair.gear.proportions
+    assert pinion.addendum_angle == pytest.approx(gear.dedendum_angle, rel=1e-14)
+    assert gear.addendum_angle == pytest.approx(pinion.dedendum_angle, rel=1e-14)
+    assert gear.dedendum_angle == pytest.approx(np.arctan2(4.599, pair.cone_distance), rel=1e-12)
 
 
 def test_a_thickness_that_is_given_stands():
@@ -98,7 +101,11 @@ def test_a_thickness_that_is_given_stands():
         ({"standard": "equal-addendum", "profile_shift": 1.0}, "profile_shift = 1.0", "less than 1"),
         ({"standard": "gleason"}, "standard = 'gleason'", "gleason-straight"),
         ({"standard": "gleason-straight", "shaft_angle": 170.0}, "shaft_angle = 170°", "internal bevel gear"),
-        ({"standard": "equal-addendum", "teeth": (40, 9)}, "standard = 'equal-addendum'", "interference"),
+        (
+            {"standard": "equal-addendum", "teeth": (40, 9), "root": "radial"},
+            "standard = 'equal-addendum'",
+            "interference",
+        ),
     ],
 )
 def test_what_a_standard_has_no_teeth_for_is_refused_by_the_parameter_at_fault(more, subject, words):

@@ -301,3 +301,49 @@ class TestRelief:
         np.testing.assert_allclose(relieved.half_angle(polar), -azimuth, atol=1e-12)
         assert relieved.half_angle(polar[3]).shape == ()
         assert relieved.tip_half == pytest.approx(float(relieved.half_angle(relieved.face_angle)), abs=1e-12)
+
+
+@EVERY_FORM
+@pytest.mark.parametrize("rounded", [True, False], ids=["fillet", "radial"])
+@pytest.mark.parametrize(("teeth", "pitch"), [(16, 38.66), (30, 80), (40, 90)])
+class TestProfileCrowning:
+    AMOUNT = 2e-3
+
+    def teeth(self, teeth, pitch, form, rounded):
+        plain = tooth(teeth, pitch, form)
+        plain = replace(plain, tip_radius=0.1 * plain.largest_tip_radius if rounded else None)
+        return plain, replace(plain, profile_crowning=self.AMOUNT)
+
+    def test_turns_flanks_by_what_was_asked_for_at_both_ends_and_not_on_the_pitch_cone(
+        self, teeth, pitch, form, rounded
+    ):
+        plain, crowned = self.teeth(teeth, pitch, form, rounded)
+        ends = np.array([crowned.form_angle, crowned.face_angle])
+        turned = plain.half_angle(np.maximum(ends, plain.form_angle)) - crowned.half_angle(ends)
+        np.testing.assert_allclose(turned, self.AMOUNT, rtol=0.02)  # a wider space moves where the fillet ends
+        assert turned[1] == pytest.approx(self.AMOUNT, rel=1e-12)
+        assert crowned.half_angle(plain.pitch_angle) == pytest.approx(plain.half_angle(plain.pitch_angle), abs=1e-15)
+        u = crowned.flank.parameter_at(crowned.face_angle)
+        halfway = crowned.flank.polar_at(float(u) / 2.0)
+        assert plain.half_angle(halfway) - crowned.half_angle(halfway) == pytest.approx(self.AMOUNT / 4.0, rel=1e-9)
+
+    def test_curves_meet_and_have_the_half_angles_told(self, teeth, pitch, form, rounded):
+        _, crowned = self.teeth(teeth, pitch, form, rounded)
+        curves = crowned.section().loops[0].curves  # that they close, the loop sees to
+        flank = crowned.tooth_flank.curves()
+        assert len(flank) == 2
+        assert len(curves) > 4
+        for curve in flank:
+            polar, azimuth = polar_and_azimuth(curve.point(curve.parameter(np.linspace(0.0, 1.0, 9))))
+            np.testing.assert_allclose(crowned.half_angle(polar), -azimuth, atol=1e-12)
+
+    def test_goes_with_relief(self, teeth, pitch, form, rounded):
+        _, crowned = self.teeth(teeth, pitch, form, rounded)
+        for part in (0.3, 1.3):  # of the addendum: above the pitch cone, and from below it
+            begin = crowned.face_angle - part * (crowned.face_angle - crowned.pitch_angle)
+            if begin <= crowned.form_angle:
+                continue
+            both = replace(crowned, relief=Relief(amount=1e-4, begin=begin, power=2))
+            assert both.section().moments[0, 0] < crowned.section().moments[0, 0]
+            assert both.tip_half == pytest.approx(float(both.half_angle(both.face_angle)), abs=1e-9)
+            assert len(both.tooth_flank.curves()) == 3

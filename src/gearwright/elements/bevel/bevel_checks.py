@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from .bevel_gear import BevelGear
 
 _OF_THE_CONE = ("teeth", "module", "diametral_pitch", "mate_teeth", "shaft_angle", "pitch_angle", "length_unit")
+_OF_THE_SIZES = (
+    *("standard", "taper", "iso_method", "profile_shift", "thickness_modification", "mate_teeth"),
+    *("addendum", "dedendum", "addendum_angle", "dedendum_angle", "pressure_angle", "circular_thickness"),
+)
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
 _FLATTEST = np.radians(89.0)  # polar angle beyond which a plane across the axis runs along the teeth
 
@@ -49,7 +53,7 @@ def check_given(problems: Problems, gear: BevelGear) -> None:
 
 
 def check_face(problems: Problems, gear: BevelGear) -> bool:
-    """Whether the teeth can be sized: the face must end before the apex, and the trace run all along it."""
+    """Whether the teeth can be sized: the face must end before the apex, and a trace that sizes them run along it."""
     if not (
         problems.computable(*_OF_THE_CONE, "face_width") and problems.sound("module", "pitch_angle", "shaft_angle")
     ):
@@ -60,9 +64,10 @@ def check_face(problems: Problems, gear: BevelGear) -> bool:
     names = [one.name for one in declarations(type(gear))]
     if not problems.computable(*names):
         return False
-    require_reach(problems, spiral_of(gear), gear.length_unit)
+    if gear.standard != "explicit" or gear.normal_backlash is not None:  # sized by the trace; else `check_reach` does
+        require_reach(problems, spiral_of(gear), gear.length_unit)
     of_the_trace = ("trace", "spiral_angle", "cutter_radius", "blade_groups", "face_width")
-    return problems.sound("standard", "taper", "mate_teeth", *of_the_trace)
+    return problems.sound(*_OF_THE_SIZES, *of_the_trace)
 
 
 def check_teeth(problems: Problems, gear: BevelGear) -> None:
@@ -89,20 +94,31 @@ def _given_as(name: str, gear: BevelGear) -> str:
 
 
 def check_body(problems: Problems, gear: BevelGear) -> None:
-    """The body, and whether the trace reaches as far as it does beyond the pitch line's ends."""
+    """The body inside the teeth."""
     if gear.bevel_teeth.least_root_angle <= 0.0:
         return
-    unit, ends = gear.length_unit, gear.tooth_ends
+    ends = gear.tooth_ends
     faces = [tooth.face_angle for tooth in gear.bevel_teeth.looked_at.values()]
     if ends.kind == "flat" and max(faces) >= _FLATTEST:
         problems.add(
             "ends", f"planes across the axis do not end a face cone of {np.degrees(max(faces)):.4g}°; choose conical"
         )
         return
-    for name, message in body_problems(gear.body, unit):
+    for name, message in body_problems(gear.body, gear.length_unit):
         problems.add(name, message)
-    if problems.sound() and not gear.body.plain:
-        polars = (gear.body.ring_angle, gear.pitch_cone_angle, *faces)
-        inner = min(ends.distance(polar, ends.inner) for polar in polars) / ends.inner
-        outer = max(ends.distance(polar, ends.outer) for polar in polars) / ends.outer
-        require_reach(problems, spiral_of(gear, (inner, outer)), unit)
+
+
+def check_reach(problems: Problems, gear: BevelGear) -> None:
+    """Whether the trace reaches as far as a sound body does, beyond the pitch line's ends too."""
+    stretch = _stretch(gear) if problems.sound() and not gear.body.plain else (1.0, 1.0)
+    require_reach(problems, spiral_of(gear, stretch), gear.length_unit)
+
+
+def _stretch(gear: BevelGear) -> tuple[float, float]:
+    """How far the toothed ring goes beyond inner and outer cone distance, as factors of them."""
+    ends = gear.tooth_ends
+    faces = [tooth.face_angle for tooth in gear.bevel_teeth.looked_at.values()]
+    polars = (gear.body.ring_angle, gear.pitch_cone_angle, *faces)
+    inner = min(ends.distance(polar, ends.inner) for polar in polars) / ends.inner
+    outer = max(ends.distance(polar, ends.outer) for polar in polars) / ends.outer
+    return inner, outer

@@ -9,7 +9,6 @@ from typing import Literal
 import numpy as np
 
 from ...curves.traces.trace import Trace
-from ...errors import ParameterError
 from ...parameters import Problems, Size, declared
 from ...solids.solid import Solid
 from ...solids.swept import Swept
@@ -17,15 +16,14 @@ from .. import declarations as d
 from .. import remarks
 from ..blanks.blank import Blank
 from ..element import Element, module_in, require_one_pitch
-from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
-from .bevel_checks import check_body, check_cone, check_face, check_given, check_teeth
+from .bevel_checks import check_body, check_cone, check_face, check_given, check_reach, check_teeth
 from .bevel_sizes import bevel_sizes
 from .body import BevelBody
 from .depth_line import DepthLine
 from .pitch_cone import pitch_cone_angle
-from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, add_refusals, explicit, taper_of
+from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, design_of, explicit, is_sized, taper_of
 from .spiral import HOBBED, MILLED, spiral_of
 from .spiral_checks import require_spiral
 from .teeth import BevelTeeth
@@ -33,7 +31,7 @@ from .tooth import BevelTooth
 from .tooth_ends import ToothEnds
 
 _USUAL_TIP = 0.25  # modules: what a clearance of 0.188 modules leaves room for
-_LEAVES_A_LAND = 0.95  # of the largest tip radius
+_LEAVES_LAND = 0.99  # of the largest tip radius that fits
 _RELIEF_HEIGHT = 0.6  # modules
 
 
@@ -74,6 +72,7 @@ class BevelGear(Element):
     tip_relief: float = declared(d.TIP_RELIEF, default=0.0)
     tip_relief_height: float | None = declared(d.BEVEL_TIP_RELIEF_HEIGHT, default=None)
     tip_relief_form: str = declared(d.TIP_RELIEF_FORM, default="linear")
+    profile_crowning: float = declared(d.PROFILE_CROWNING, default=0.0)
     crowning: float = declared(d.CROWNING, default=0.0)
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
@@ -100,18 +99,12 @@ class BevelGear(Element):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         check_cone(problems, self)
         check_given(problems, self)
-        if check_face(problems, self) and self._is_sized(problems):
+        if check_face(problems, self) and is_sized(problems, self):
             check_teeth(problems, self)
             check_body(problems, self)
+            check_reach(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
-
-    def _is_sized(self, problems: Problems) -> bool:
-        try:
-            return bool(self.proportions)
-        except ParameterError as error:
-            add_refusals(problems, error, "standard")
-            return False
 
     @cached_property
     def outer_module(self) -> float:
@@ -163,7 +156,8 @@ class BevelGear(Element):
     def proportions(self) -> Proportions:
         """Heights, their angles and the thickness before backlash, as given or as the standard has them."""
         if self.standard != "explicit":
-            found = self._sizing.proportions(self._design)[0]
+            teeth = (self.teeth, self.mate_teeth or self.teeth)
+            found = Sizing.of(self).proportions(design_of(self, teeth, self._shaft_angle))[0]
             return found if self.circular_thickness is None else replace(found, thickness=self.circular_thickness)
         module = self.outer_module
         found = explicit(
@@ -175,23 +169,6 @@ class BevelGear(Element):
         )
         given = {"addendum_angle": self.addendum_angle, "dedendum_angle": self.dedendum_angle}
         return replace(found, **{name: float(np.radians(angle)) for name, angle in given.items() if angle is not None})
-
-    @property
-    def _sizing(self) -> Sizing:
-        return Sizing.of(self)
-
-    @property
-    def _design(self) -> BevelDesign:
-        return BevelDesign(
-            teeth=(self.teeth, self.mate_teeth or self.teeth),
-            module=self.outer_module,
-            shaft_angle=self._shaft_angle,
-            face_width=self.face_width,
-            pressure_angle=float(np.radians(self.pressure_angle)),
-            spiral_angle=float(np.radians(self.spiral_angle)),
-            cutter_radius=self.cutter_radius,
-            blade_groups=self.blade_groups,
-        )
 
     @property
     def member(self) -> BevelMember:
@@ -238,16 +215,12 @@ class BevelGear(Element):
 
     @property
     def generating_tip_radius(self) -> float:
-        """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits.
-
-        Where teeth vary, what fits leaves a land at either end: a root that is round at one end only has there a curve
-        less than elsewhere.
-        """
+        """ρ of the crown gear's tip at the outer end: as given; else a quarter of the module, or what fits."""
         if self.crown_tip_radius is not None:
             return self.crown_tip_radius
-        usual, largest = _USUAL_TIP * self.outer_module, self._sharp_teeth.largest_tip_radius
-        if self._sharp_teeth.varies:
-            largest *= _LEAVES_A_LAND
+        usual, sharp = _USUAL_TIP * self.outer_module, self._sharp_teeth
+        # a root arc that shrinks to nothing at one end alone would make the section another one there
+        largest = sharp.largest_tip_radius * (_LEAVES_LAND if sharp.varies else 1.0)
         return min(usual, largest) if largest > 0.0 else usual
 
     @cached_property
@@ -266,6 +239,7 @@ class BevelGear(Element):
             relief=self.tip_relief,
             relief_height=height,
             relief_power=1 if self.tip_relief_form == "linear" else 2,
+            profile_crowning=self.profile_crowning,
             crowning=self.crowning,
         )
 
@@ -307,6 +281,15 @@ class BevelGear(Element):
         return [
             *remarks.wide_face(self.face_width, self.cone_distance, unit),
             *remarks.unusual_depth("addendum", self.proportions.addendum, self.outer_module, unit, 1),
+            *self.tooth_remarks,
+        ]
+
+    @property
+    def tooth_remarks(self) -> list[str]:
+        """What is unusual about the shape of its teeth."""
+        return [
+            *remarks.thin_tip(self.sizes()["tip_thickness"].value, self.outer_module, self.length_unit),
+            *(remarks.undercut_by_crown(self.teeth) if self.bevel_teeth.undercut else []),
         ]
 
     @property

@@ -8,20 +8,18 @@ from functools import cached_property
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ParameterError
 from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import remarks
 from ..element import module_in, require_one_pitch
 from ..pair import Pair
-from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.proportions import Pair as Proportions
 from .bevel_gear import BevelGear
 from .meshing import contact_ratio, meshing_placements
 from .pair_checks import check_engagement, check_pair
 from .pair_sizes import bevel_pair_sizes
 from .pitch_cone import pitch_cone_angle
-from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, add_refusals, explicit, taper_of
+from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, design_of, explicit, is_sized, taper_of
 from .spiral import HOBBED, MILLED
 from .spiral_checks import require_spiral
 from .tooth import BevelTooth
@@ -67,6 +65,7 @@ class BevelPair(Pair):
         d.BEVEL_TIP_RELIEF_HEIGHT, default=None, members="both"
     )
     tip_relief_form: str | tuple[str, str] = declared(d.TIP_RELIEF_FORM, default="linear", members="both")
+    profile_crowning: float | tuple[float, float] = declared(d.PROFILE_CROWNING, default=0.0, members="both")
     crowning: float | tuple[float, float] = declared(d.CROWNING, default=0.0, members="both")
     trace: str = declared(d.TRACE, default="straight")
     spiral_angle: float = declared(d.SPIRAL_ANGLE, default=0.0)
@@ -91,20 +90,13 @@ class BevelPair(Pair):
     def __post_init__(self) -> None:
         problems = Problems(self)
         require_one_pitch(problems, self.module, self.diametral_pitch)
-        if problems.counted() and check_pair(problems, self) and self._is_sized(problems):
+        if problems.counted() and check_pair(problems, self) and is_sized(problems, self):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
             problems.add_members(members, settled=_FROM_THE_PAIR)
         require_spiral(problems, self)
         if problems.sound():
             check_engagement(problems, self)
         problems.raise_any()
-
-    def _is_sized(self, problems: Problems) -> bool:
-        try:
-            return bool(self.proportions)
-        except ParameterError as error:
-            add_refusals(problems, error, "standard")
-            return False
 
     @property
     def outer_module(self) -> float:
@@ -146,7 +138,7 @@ class BevelPair(Pair):
     def proportions(self) -> Proportions:
         """Of both members, their thickness before backlash. Raises ParameterError where a standard has none."""
         if self.standard != "explicit":
-            return Sizing.of(self).proportions(self._design)
+            return Sizing.of(self).proportions(design_of(self, self.teeth, float(np.radians(self.shaft_angle))))
         second = self.explicit_gear_addendum
         addenda = (self.outer_working_depth - second, second)
         thickness, taper = np.pi * self.outer_module / 2.0, taper_of(self.taper)
@@ -155,19 +147,6 @@ class BevelPair(Pair):
             for height in addenda
         )
         return one, other
-
-    @property
-    def _design(self) -> BevelDesign:
-        return BevelDesign(
-            teeth=self.teeth,
-            module=self.outer_module,
-            shaft_angle=float(np.radians(self.shaft_angle)),
-            face_width=self.face_width,
-            pressure_angle=float(np.radians(self.pressure_angle)),
-            spiral_angle=float(np.radians(self.spiral_angle)),
-            cutter_radius=self.cutter_radius,
-            blade_groups=self.blade_groups,
-        )
 
     @property
     def clearance(self) -> float:
@@ -236,6 +215,7 @@ class BevelPair(Pair):
         return [
             *remarks.wide_face(self.face_width, self.cone_distance, unit),
             *remarks.unusual_depth("working_depth", self.outer_working_depth, self.outer_module, unit, 2),
+            *dict.fromkeys([*self.pinion.tooth_remarks, *self.gear.tooth_remarks]),
             *remarks.low_contact_ratio(contact_ratio(*self.teeth_on_sphere(self.pinion.mean_distance))),
         ]
 

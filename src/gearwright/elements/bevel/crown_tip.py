@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..gear_loop import NEXT_TO_NOTHING
 from .spherical_flank import SphericalFlank
@@ -53,6 +52,8 @@ class CrownTip:
     @cached_property
     def largest_radius(self) -> float:
         """ρ that leaves no land, as the corners then make one; not positive where the flanks meet before the tip."""
+        from scipy.optimize import brentq
+
         most = self.depth + self.flank.pressure_angle
         sharp = self._land(0.0)
         if sharp <= 0.0 or self._land(most) >= 0.0:

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
 _NAMES = ("pinion", "gear")
 _MORE_PLAY = 2.2  # a depth on one of two flanks, and a little: it is told to two digits
+_OF_THE_SIZES = (
+    *("face_width", "standard", "taper", "iso_method", "profile_shift", "thickness_modification"),
+    *("working_depth", "whole_depth", "gear_addendum", "pressure_angle", "spiral_angle"),
+)
 _CUT = 1e-7  # radians on the sphere: far above rounding, far below any gear's accuracy
 
 
@@ -35,7 +39,7 @@ def check_pair(problems: Problems, pair: BevelPair) -> bool:
         problems.add("face_width", refusals.wide_face(pair.cone_distance, pair.length_unit))
     if pair.standard == "explicit":
         _check_depths(problems, pair)
-    return problems.sound("face_width", "whole_depth", "gear_addendum", "standard", "taper")
+    return problems.sound(*_OF_THE_SIZES)
 
 
 def _check_depths(problems: Problems, pair: BevelPair) -> None:
@@ -82,7 +86,10 @@ def _own_name(pair: BevelPair, member: int) -> str:
 def _interference(pair: BevelPair, member: int) -> str | None:
     """Why the tips of one member interfere with the roots of the other, at the end where they first do."""
     pinion = pair.pinion
-    places = {r: pair.teeth_on_sphere(r) for r in (pinion.cone_distance, pinion.mean_distance, pinion.inner_distance)}
+    distances = [pinion.cone_distance]
+    if any(gear.bevel_teeth.varies for gear in (pinion, pair.gear)):
+        distances += [pinion.mean_distance, pinion.inner_distance]
+    places = {r: pair.teeth_on_sphere(r) for r in distances}
     if (pair.pinion, pair.gear)[1 - member].root != "fillet":
         limits = {r: interference_limit(teeth[member], teeth[1 - member]) for r, teeth in places.items()}
         if any(places[r][member].face_angle > limit + 1e-12 for r, limit in limits.items()):

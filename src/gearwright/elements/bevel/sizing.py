@@ -113,8 +113,26 @@ def require_standard(problems: Problems, standard: str, trace: str, taper: str |
         problems.add("taper", 'is found by standard = "iso-23509"; with this one it is "standard" or "uniform"')
 
 
-def add_refusals(problems: Problems, error: ParameterError, otherwise: str) -> None:
-    """Adds what a standard refuses, to the parameters it names where the element has them, else to another one."""
-    for problem in error.problems:
-        name = problem.subject.split(" ")[0]
-        problems.add(name if problems.has(name) else otherwise, problem.message)
+def design_of(element: BevelGear | BevelPair, teeth: tuple[int, int], shaft_angle: float) -> BevelDesign:
+    """What an element gives a standard to size, for members with numbers of teeth and a shaft angle, radians."""
+    return BevelDesign(
+        teeth=teeth,
+        module=element.outer_module,
+        shaft_angle=shaft_angle,
+        face_width=element.face_width,
+        pressure_angle=float(np.radians(element.pressure_angle)),
+        spiral_angle=float(np.radians(element.spiral_angle)),
+        cutter_radius=element.cutter_radius,
+        blade_groups=element.blade_groups,
+    )
+
+
+def is_sized(problems: Problems, element: BevelGear | BevelPair) -> bool:
+    """Whether its standard has proportions for an element; adds what it refuses to the parameters it names."""
+    try:
+        return bool(element.proportions)
+    except ParameterError as error:
+        for problem in error.problems:
+            name = problem.subject.split(" ")[0]
+            problems.add(name if problems.has(name) else "standard", problem.message)
+        return False

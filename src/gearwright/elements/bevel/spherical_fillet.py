@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
 from ...curves.curve import Curve, mapped, turn
@@ -74,6 +73,8 @@ class SphericalFillet:
     @cached_property
     def join(self) -> float:
         """Parameter of the trochoid at which the flank takes over."""
+        from scipy.optimize import brentq
+
         tangent = self.crown_tip.tangent[1]
         if not self.undercuts:
             return tangent

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Literal, Self
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
 from ...curves import octoid
@@ -199,6 +198,8 @@ class OctoidFlank(SphericalFlank):
         return self.rolled(0.0, 0.0).azimuth(self.parameter_at(polar))
 
     def polar_at_azimuth(self, azimuth_angle: float) -> float:
+        from scipy.optimize import brentq
+
         curve = self.rolled(0.0, self.greatest_turn)
         if azimuth_angle >= curve.azimuth(self.greatest_turn):
             return self.greatest_polar

@@ -8,13 +8,14 @@ from typing import Literal
 
 import numpy as np
 
+from ...sections.loop import Loop
 from ...sections.sphere import SphericalSection
 from .depth_line import DepthLine
 from .spherical_flank import Form
-from .tooth import BevelTooth
+from .tooth import BevelTooth, with_hole
 from .tooth_ends import ToothEnds
 from .tooth_flank import Relief
-from .varying_section import varying_section
+from .varying_section import varying_loop
 
 _PLACES = {"inner": 0.0, "mean": 0.5, "outer": 1.0}
 
@@ -30,6 +31,8 @@ class BevelTeeth:
     relief, relief_height         amount along the normal and the part of the addendum it takes; both go with depth and
                                   cone distance
     relief_power                  1 linear, 2 parabolic
+    profile_crowning              C_α by which each flank is lower at its foot and its tip than on the pitch cone; it
+                                  goes with the cone distance, a turn into the tooth by up to C_α/(R_e sin γ cos a)
     crowning                      C_β by which each flank is lower at its ends than at mid-face, along its normal in the
                                   transverse section: it turns into the tooth by C_β (2(s − R_m)/b)²/(s sin γ cos a)
     """
@@ -46,6 +49,7 @@ class BevelTeeth:
     relief: float = 0.0
     relief_height: float = 0.0
     relief_power: Literal[1, 2] = 1
+    profile_crowning: float = 0.0
     crowning: float = 0.0
 
     def level(self, place: str) -> float:
@@ -70,6 +74,7 @@ class BevelTeeth:
             form=self.form,
             tip_radius=None if self.tip_radius is None else self.tip_radius / self.tip_radius_scale(root),
             relief=self._relief(face) if self.relief else None,
+            profile_crowning=self.profile_crowning / (self.ends.outer * self._lever),
         )
 
     def _relief(self, face: float) -> Relief:
@@ -82,7 +87,12 @@ class BevelTeeth:
         s = self.pitch_distance(v)
         inner, outer = self.ends.inner, self.ends.outer
         lowered = self.crowning * (2.0 * (s - (inner + outer) / 2.0) / (outer - inner)) ** 2
-        return float(lowered / (s * np.sin(self.pitch_angle) * np.cos(self.pressure_angle)))
+        return float(lowered / (s * self._lever))
+
+    @property
+    def _lever(self) -> float:
+        """sin γ cos a: what a flank is moved by along its normal as it turns about the axis, on the unit sphere."""
+        return float(np.sin(self.pitch_angle) * np.cos(self.pressure_angle))
 
     @property
     def varies(self) -> bool:
@@ -125,12 +135,25 @@ class BevelTeeth:
         return {"outer": self.outer, "mean": self.mean, "inner": self.inner}
 
     @property
+    def undercut(self) -> bool:
+        """Whether the generating crown gear cuts away some of the flanks somewhere."""
+        return any(tooth.fillet is not None and tooth.fillet.undercuts for tooth in self.looked_at.values())
+
+    @property
     def least_root_angle(self) -> float:
         """Least polar angle of the roots."""
         return min(tooth.root_angle for tooth in self.looked_at.values())
 
+    @cached_property
+    def outline(self) -> Loop:
+        """All teeth, by one of them; it varies where they do.
+
+        Raises GeometryError where they change their kind, or not evenly, between the ends.
+        """
+        if not self.varies:
+            return self.outer.outline()
+        return varying_loop(lambda v: self.tooth(v).outline(), self.level("inner"), self.level("outer"))
+
     def section(self, hole_angle: float | None = None) -> SphericalSection:
         """The gear's section, full or to a hole of a polar angle; it varies where the teeth do."""
-        if not self.varies:
-            return self.outer.section(hole_angle)
-        return varying_section(lambda v: self.tooth(v).section(hole_angle), self.level("inner"), self.level("outer"))
+        return with_hole(self.outline, hole_angle)

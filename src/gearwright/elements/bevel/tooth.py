@@ -30,6 +30,7 @@ class BevelTooth:
     tip_radius                    ρ, angular, of the crown gear's tip that generates the fillets; None: below its inner
                                   end the flank carries on as a meridian, down to a sharp corner at the root
     relief                        at the tip, see `Relief`
+    profile_crowning              by how much flanks are turned into the tooth at root and tip, about the axis
 
     Source: Al-Daccak 1989, eqs. (3.15)–(3.19); there ψ_p is taken at φ = pressure angle, which is the
     angle at the point, not at the pole: it thins the tooth. Here ψ_p is the azimuth at the pitch cone.
@@ -44,6 +45,7 @@ class BevelTooth:
     form: Form = "involute"
     tip_radius: float | None = None
     relief: Relief | None = None
+    profile_crowning: float = 0.0
 
     @cached_property
     def flank(self) -> SphericalFlank:
@@ -70,7 +72,7 @@ class BevelTooth:
         return SphericalFillet(
             flank=self.flank,
             teeth=self.teeth,
-            thickness=self.thickness,
+            thickness=self.thickness - 2.0 * self.profile_crowning,  # as the foot of the flank is turned
             root_angle=self.root_angle,
             tip_radius=tip_radius,
         )
@@ -99,10 +101,11 @@ class BevelTooth:
             form_angle=self.form_angle,
             face_angle=self.face_angle,
             relief=self.relief,
+            crowning=self.profile_crowning,
         )
 
     def thickness_at(self, polar: float) -> float:
-        """Angular thickness θ = θ_p − 2(ψ(δ) − ψ_p) at a polar angle on the flank, without relief."""
+        """Angular thickness θ = θ_p − 2(ψ(δ) − ψ_p) at a polar angle on the flank, without relief and crowning."""
         return self.thickness - 2.0 * float(self.flank.azimuth_at(polar))
 
     def half_angle(self, polar: ArrayLike) -> Array:
@@ -112,11 +115,11 @@ class BevelTooth:
     def profile_half(self, polar: ArrayLike) -> Array:
         """Half the angle (...) of the tooth at polar angles (...) from the root to the face, fillets included."""
         delta = np.asarray(polar, float)
-        proper = self.half_angle(np.maximum(delta, self.form_angle))
-        if self.fillet is None:
-            return proper
-        below = self.fillet.half_angle(np.clip(delta, self.root_angle, self.form_angle))
-        return np.where(delta < self.form_angle, below, proper)
+        found = np.array(self.half_angle(np.maximum(delta, self.form_angle)))
+        below = delta < self.form_angle
+        if self.fillet is not None and below.any():
+            found[below] = self.fillet.half_angle(np.maximum(delta[below], self.root_angle))
+        return found
 
     @property
     def tip_half(self) -> float:
@@ -133,32 +136,36 @@ class BevelTooth:
         """Angular width of the root arc between fillets; without them, of the space at the foot of the flanks."""
         if self.fillet is not None:
             return 2.0 * self.fillet.crown_tip.land / float(np.sin(self.pitch_angle))
-        return 2.0 * np.pi / self.teeth - self.thickness_at(self.flank_start)
+        return 2.0 * np.pi / self.teeth - 2.0 * self._foot_half
+
+    @property
+    def _foot_half(self) -> float:
+        """Half the angle of a tooth without fillets where its flanks begin."""
+        return self.thickness_at(self.flank_start) / 2.0 - self.profile_crowning
 
     @property
     def waist(self) -> float:
         """Half the least angle of the tooth between root and flank."""
-        return self.thickness_at(self.flank_start) / 2.0 if self.fillet is None else self.fillet.waist
+        return self._foot_half if self.fillet is None else self.fillet.waist
 
-    def section(self, hole_angle: float | None = None) -> SphericalSection:
-        """The gear's section: all teeth, full to the axis, or to a circular hole of a polar angle.
+    def outline(self) -> Loop:
+        """All teeth, by one of them.
 
         A flank is a fillet (with a tip radius), the form, and a relieved part (with relief), whatever the numbers; the
         root arc vanishes with the land of the crown gear's tip, and radial roots have a meridian only below the form.
         """
         tip, gap, middle = self.tip_half, self.root_space / 2.0, np.pi / self.teeth
         root = Parallel(polar_angle=self.root_angle, interval=(middle - gap, middle + gap))
-        outline = gear_loop(
+        return gear_loop(
             rising=[*self._foot(), *self.tooth_flank.curves()],
             tip=Parallel(polar_angle=self.face_angle, interval=(-tip, tip)),
             root=root if gap > 0.0 else None,
             teeth=self.teeth,
         )
-        loops = [outline]
-        if hole_angle is not None:
-            hole = Parallel(polar_angle=hole_angle, interval=(0.0, -2.0 * np.pi / self.teeth))
-            loops.append(Loop(curves=(hole,), copies=self.teeth))
-        return SphericalSection(loops=tuple(loops))
+
+    def section(self, hole_angle: float | None = None) -> SphericalSection:
+        """The gear's section: all teeth, full to the axis, or to a circular hole of a polar angle."""
+        return with_hole(self.outline(), hole_angle)
 
     def _foot(self) -> list[Curve]:
         """Curves of the clockwise side from the root cone to the flank proper."""
@@ -166,5 +173,12 @@ class BevelTooth:
             return [self.fillet.curve()]
         if self.root_angle >= self.flank.least_polar * (1.0 - NEXT_TO_NOTHING):
             return []
-        foot = -self.thickness_at(self.flank_start) / 2.0
-        return [Meridian(azimuth=foot, interval=(self.root_angle, self.flank_start))]
+        return [Meridian(azimuth=-self._foot_half, interval=(self.root_angle, self.flank_start))]
+
+
+def with_hole(outline: Loop, hole_angle: float | None) -> SphericalSection:
+    """The section of an outline of teeth, full to the axis, or to a circular hole of a polar angle."""
+    if hole_angle is None:
+        return SphericalSection(loops=(outline,))
+    hole = Parallel(polar_angle=hole_angle, interval=(0.0, -2.0 * np.pi / outline.copies))
+    return SphericalSection(loops=(outline, Loop(curves=(hole,), copies=outline.copies)))

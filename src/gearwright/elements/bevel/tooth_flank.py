@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
+from ...curves.crowned_rolled import CrownedRolled
 from ...curves.curve import Curve, mapped, turn
 from ...curves.relieved_rolled import RelievedRolled
 from .spherical_flank import SphericalFlank
@@ -37,6 +38,7 @@ class ToothFlank:
     form_angle   polar angle at which the flank begins, at the root
     face_angle   polar angle at which it ends
     relief       at the tip, if any
+    crowning     of the profile: by how much the flank is turned into the tooth at both its ends, about the axis
     """
 
     form: SphericalFlank
@@ -44,6 +46,7 @@ class ToothFlank:
     form_angle: float
     face_angle: float
     relief: Relief | None = None
+    crowning: float = 0.0
 
     @cached_property
     def relieved(self) -> RelievedRolled | None:
@@ -51,6 +54,8 @@ class ToothFlank:
 
         It ends where, with all of the relief, it is on the face cone. Raises ValueError where the form ends before.
         """
+        from scipy.optimize import brentq
+
         relief = self.relief
         if relief is None:
             return None
@@ -84,22 +89,62 @@ class ToothFlank:
         """Half the angle (...) of the tooth about its axis at polar angles (...) of the flank."""
         delta = np.asarray(polar, float)
         if self.relief is None or self.relieved is None:
-            return self.thickness / 2.0 - self.form.azimuth_at(delta)
-        below = self.form.azimuth_at(np.minimum(delta, self.relief.begin))
-        above = self.relieved.azimuth(self.relieved.at_polar_angle(delta))
-        return self.thickness / 2.0 - np.where(delta <= self.relief.begin, below, above)
+            plain = self.form.azimuth_at(delta)
+            turned = self._crown(self.form.parameter_at(delta)) if self.crowning else 0.0
+            return self.thickness / 2.0 - plain - turned
+        lower = np.minimum(delta, self.relief.begin)
+        azimuth = np.array(self.form.azimuth_at(lower) + self._crown(self.form.parameter_at(lower)))
+        relieved = delta > self.relief.begin
+        beyond = self.relieved.at_polar_angle(delta[relieved])
+        azimuth[relieved] = self.relieved.azimuth(beyond) + self._crown(beyond)
+        return self.thickness / 2.0 - azimuth
+
+    @cached_property
+    def _ends(self) -> tuple[float, float]:
+        """Parameters u of the form at the form angle and at the face angle."""
+        first, last = (float(u) for u in self.form.parameter_at([self.form_angle, self.face_angle]))
+        return first, last
+
+    def _crown(self, u: ArrayLike) -> Array:
+        """Angle (...) by which the flank is turned at parameters (...), about the axis."""
+        u = np.asarray(u, float)
+        if not self.crowning:
+            return np.zeros_like(u)
+        first, last = self._ends
+        return self.crowning * (u / np.where(u < 0.0, first, last)) ** 2
 
     @cached_property
     def tip_half(self) -> float:
         """Half the angle of the tooth at its tip."""
         end = self.relieved
-        azimuth = self.form.azimuth_at(self.face_angle) if end is None else end.azimuth(end.interval[1])
-        return float(self.thickness / 2.0 - azimuth)
+        last = self._ends[1] if end is None else end.interval[1]
+        azimuth = self.form.azimuth_at(self.face_angle) if end is None else end.azimuth(last)
+        return float(self.thickness / 2.0 - azimuth - self._crown(last))
 
     def curves(self) -> list[Curve]:
         """From the form angle to the face cone."""
         last = self.face_angle if self.relief is None else self.relief.begin
-        found = [self.form.curve(self.form_angle, last)]
-        if self.relieved is not None:
-            found.append(self.relieved)
+        if self.crowning:
+            found = self._crowned()
+        else:
+            found = [self.form.curve(self.form_angle, last), *([] if self.relieved is None else [self.relieved])]
         return [mapped(curve, turn(-self.thickness / 2.0, 3)) for curve in found]
+
+    def _crowned(self) -> list[Curve]:
+        """The parts below and above the pitch cone, and those with relief."""
+        (first, face), relieved = self._ends, self.relieved
+        end = face if relieved is None else relieved.interval[1]
+        begin = end if relieved is None else relieved.begin
+        found: list[Curve] = []
+        for a, b in pairwise(sorted({first, 0.0, begin, end})):
+            crowned = CrownedRolled(
+                pitch_angle=self.form.pitch_angle,
+                flank=self.form.rolled(a, b),
+                amount=self.crowning,
+                full=first if a < 0.0 else face,
+                interval=(a, b),
+            )
+            found.append(
+                crowned if relieved is None or a < begin else replace(relieved, flank=crowned, interval=(a, b))
+            )
+        return found

@@ -1,4 +1,4 @@
-"""Sections of the sphere that change from level to level, from their members at some levels."""
+"""Outlines on the sphere that change from level to level, from their members at some levels."""
 
 from __future__ import annotations
 
@@ -9,15 +9,14 @@ import numpy as np
 from ...curves.interpolated import chebyshev_stations, interpolated
 from ...errors import GeometryError, Problem
 from ...sections.loop import Loop
-from ...sections.sphere import SphericalSection
 
 _DEGREES = (8, 12, 16, 24, 32, 48)
 _MET = 1e-12  # of the unit sphere
 _FRACTIONS = np.linspace(0.0, 1.0, 9)
 
 
-def varying_section(member: Callable[[float], SphericalSection], start: float, finish: float) -> SphericalSection:
-    """The section whose member at every parameter between two is the one given, to 1e-12 of the sphere's radius.
+def varying_loop(member: Callable[[float], Loop], start: float, finish: float) -> Loop:
+    """The loop whose member at every parameter between two is the one given, to 1e-12 of the sphere's radius.
 
     Members are interpolated by polynomials of a degree at which those halfway between the known ones are met.
     Raises GeometryError where none is, since members change their curves, or bend, on the way.
@@ -31,7 +30,7 @@ def varying_section(member: Callable[[float], SphericalSection], start: float, f
         if not _alike([*members, *expected]):
             break
         found = _through(members, stations.tolist())
-        apart = max(_apart(found.at(float(v)), one) for v, one in zip(looks, expected, strict=True))
+        apart = max(_apart(found, float(v), one) for v, one in zip(looks, expected, strict=True))
         if apart <= _MET:
             return found
     message = (
@@ -40,34 +39,23 @@ def varying_section(member: Callable[[float], SphericalSection], start: float, f
         else f"the teeth do not change evenly, but to {apart:.1g} of the cone distance"
     )
     raise GeometryError(
-        "The section cannot vary so",
-        [
-            Problem(
-                "from the inner to the outer end",
-                f"{message}: undercut begins, or the root cone passes the base cone, between the ends; take another"
-                " dedendum or taper, so that it is the same at both",
-            )
-        ],
+        "The teeth cannot vary so",
+        [Problem("from the inner to the outer end", f"{message}; take another dedendum or taper")],
     )
 
 
-def _alike(members: list[SphericalSection]) -> bool:
-    """Whether all have the same number of curves in every loop."""
-    return len({tuple(len(loop.curves) for loop in section.loops) for section in members}) == 1
+def _alike(members: list[Loop]) -> bool:
+    """Whether all have the same number of curves."""
+    return len({len(loop.curves) for loop in members}) == 1
 
 
-def _through(members: list[SphericalSection], stations: list[float]) -> SphericalSection:
-    loops = (
-        Loop(curves=interpolated([loop.curves for loop in loops], stations), copies=loops[0].copies)
-        for loops in zip(*(section.loops for section in members), strict=True)
-    )
-    return SphericalSection(loops=tuple(loops))
+def _through(members: list[Loop], stations: list[float]) -> Loop:
+    return Loop(curves=interpolated([loop.curves for loop in members], stations), copies=members[0].copies)
 
 
-def _apart(one: SphericalSection, other: SphericalSection) -> float:
-    """Greatest distance of points of the same fractions of the same curves."""
+def _apart(loop: Loop, v: float, member: Loop) -> float:
+    """Greatest distance of points of the same fractions of the same curves of a loop at v and of a member."""
     return max(
-        float(np.max(np.abs(a.point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
-        for first, second in zip(one.loops, other.loops, strict=True)
-        for a, b in zip(first.curves, second.curves, strict=True)
+        float(np.max(np.abs(a.at(v).point(a.parameter(_FRACTIONS)) - b.point(b.parameter(_FRACTIONS)))))
+        for a, b in zip(loop.curves, member.curves, strict=True)
     )

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
 from ...curves.trochoid import Trochoid
@@ -73,6 +72,8 @@ class GeneratedFillet:
     @cached_property
     def join(self) -> float:
         """Parameter of the trochoid at which the involute takes over."""
+        from scipy.optimize import brentq
+
         tangent = self.toothing.transverse_pressure_angle
         if not self.undercuts:
             return tangent

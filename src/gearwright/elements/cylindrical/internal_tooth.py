@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...arrays import Array, ArrayLike
 from ...curves.arc import Arc
@@ -59,6 +58,8 @@ class InternalTooth:
     @cached_property
     def largest_fillet_radius(self) -> float:
         """ρ at which the two fillets of a space meet; negative where the flanks do so below the root circle."""
+        from scipy.optimize import brentq
+
         most = self.toothing.root_radius - self.toothing.base_radius
         if self._root_half(0.0) <= 0.0:
             return -1.0

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...arrays import Array
-from ...curves.curve import Curve, along
+from ...curves.curve import Curve, points_along
 from ...errors import FileError
 
 MOST_CURVES = 200_000
@@ -84,7 +84,7 @@ LARGEST_COORDINATE = 1e50
 def samples(curves: tuple[Curve, ...], fractions: Array) -> Array:
     """Points (n, m, 2) of n curves at fractions (m,). Raises ValueError where some are out of all range."""
     with np.errstate(all="ignore"):
-        points, _ = along(curves, fractions)
+        points = points_along(curves, fractions)
     if not np.all(np.abs(points) <= LARGEST_COORDINATE):
         raise ValueError(f"it has coordinates that are no numbers or beyond {LARGEST_COORDINATE:g}")
     return points

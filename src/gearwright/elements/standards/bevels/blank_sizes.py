@@ -8,6 +8,8 @@ from ....parameters import Size
 from ...cylindrical.sizes import in_unit
 from .member import BevelMember
 
+_ROUNDING = 1e-12  # of the cone distance
+
 
 def blank_sizes(member: BevelMember) -> dict[str, Size]:
     """Angles of the cones, diameters and axial sizes, by name. Source: KHK, Gear Technical Reference; ISO 23509."""
@@ -61,11 +63,16 @@ def face_apex(member: BevelMember) -> float:
     """t_zF = (h_ae cos θ_a − R_e sin θ_a)/sin δ_a, from the pitch apex along the axis, positive away from the gear."""
     shape = member.proportions
     beside = shape.addendum * np.cos(shape.addendum_angle) - member.cone_distance * np.sin(shape.addendum_angle)
-    return float(beside / np.sin(member.face_angle))
+    return _settled(float(beside / np.sin(member.face_angle)), member)
 
 
 def root_apex(member: BevelMember) -> float:
     """t_zR = (R_e sin θ_f − h_fe cos θ_f)/sin δ_f, from the pitch apex along the axis, positive away from the gear."""
     shape = member.proportions
     beside = member.cone_distance * np.sin(shape.dedendum_angle) - shape.dedendum * np.cos(shape.dedendum_angle)
-    return float(beside / np.sin(member.root_angle))
+    return _settled(float(beside / np.sin(member.root_angle)), member)
+
+
+def _settled(offset: float, member: BevelMember) -> float:
+    """An apex's distance, or 0 where only rounding keeps it from the pitch apex."""
+    return 0.0 if abs(offset) <= _ROUNDING * member.cone_distance else offset
