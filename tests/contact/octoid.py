@@ -1,6 +1,7 @@
 """The octoid, conjugate to a crown gear with plane flanks: written from its generation, for comparison."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -16,10 +17,24 @@ class Octoid:
     pitch_angle: float
     pressure_angle: float
     thickness: float
-    form_angle: float
-    face_angle: float
+    form: float
+    face: float
+    varies = False
 
-    def half_angle(self, polar):
+    @property
+    def cusp(self):
+        return self.least_polar
+
+    def form_angle(self, level):
+        return np.full(np.shape(level), self.form)
+
+    def face_angle(self, level):
+        return np.full(np.shape(level), self.face)
+
+    def half_angle(self, polar, level):  # noqa: ARG002 - the same on every level
+        return self.form_half(polar)
+
+    def form_half(self, polar):
         """Half thickness where the path of contact, carried back by the roll −u/sin γ, has a polar angle."""
         polar = np.asarray(polar, float)
         low, high = np.full(polar.shape, self._lowest), np.full(polar.shape, 0.8)
@@ -32,7 +47,7 @@ class Octoid:
         azimuth = np.arctan2(y, s * x - c * z) - u / s
         return self.thickness / 2.0 + azimuth
 
-    @property
+    @cached_property
     def _lowest(self):
         """Roll at which the path of contact comes nearest to the axis: the flank begins after it."""
         u = np.linspace(-1.2, 0.0, 12001)
@@ -62,9 +77,9 @@ def with_octoids(pair, members=("pinion", "gear")):
             pitch_angle=gear.pitch_cone_angle,
             pressure_angle=np.radians(gear.pressure_angle),
             thickness=gear.tooth.thickness,
-            form_angle=member.flank.form_angle,
-            face_angle=member.flank.face_angle,
+            form=float(member.flank.form_angle(member.outer)),
+            face=float(member.flank.face_angle(member.outer)),
         )
-        flank = replace(flank, form_angle=max(flank.form_angle, flank.least_polar + _OFF_CUSP))
+        flank = replace(flank, form=max(flank.form, flank.least_polar + _OFF_CUSP))
         changed[name] = replace(member, flank=flank)
     return replace(mesh, **changed)

@@ -1,34 +1,60 @@
 """Touching found by brute force: dense grids of points on the solids' own surfaces, moved by 4×4 matrices."""
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import RectBivariateSpline
 from scipy.spatial.transform import Rotation
 
-from ..laws.contact import involute_patches
-
-_TABLE = 4001
+_GRID = (801, 61)
+_NEAR = 1e-9
 
 
 class Surface:
     """One flank of the first tooth of a gear's solid: its points, and its azimuth by cone distance and polar angle."""
 
     def __init__(self, gear, side):
-        one, other = involute_patches(gear)
-        middle = [np.arctan2(*patch.point(np.array(0.5), np.array(0.5))[[1, 0]]) for patch in (one, other)]
-        self.patch = (one, other)[int(np.argmax(middle) if side == "drive" else np.argmin(middle))]
-        along = np.linspace(0.0, 1.0, _TABLE)
-        _, self.polar, profile = spherical(self.patch.point(along, np.full(_TABLE, 0.5)))
-        self.distance, _, trace = spherical(self.patch.point(np.full(_TABLE, 0.5), along))
-        rising = np.argsort(self.polar)
-        self._profile = CubicSpline(self.polar[rising], profile[rising])
-        self._trace = CubicSpline(self.distance, trace - trace[_TABLE // 2])
+        flanks = flank_patches(gear)
+        middle = [float(np.arctan2(*patch.point(np.array(0.5), np.array(0.5))[[1, 0]])) for patch in flanks]
+        self.patch = flanks[int(np.argmax(middle) if side == "drive" else np.argmin(middle))]
+        self.gamma, self.ends = gear.pitch_cone_angle, (gear.inner_distance, gear.cone_distance)
+        u, v = (np.linspace(0.0, 1.0, n) for n in _GRID)
+        points = self.patch.point(*(a.ravel() for a in np.meshgrid(u, v, indexing="ij")))
+        _, polar, azimuth = (values.reshape(_GRID) for values in spherical(points))
+        self._heights = polar.min(), polar.max()
+        self._polar, self._azimuth = (RectBivariateSpline(u, v, values) for values in (polar, azimuth))
+
+    def _share(self, distance, polar):
+        """Of the face that is inside, on conical ends."""
+        inner, outer = self.ends
+        return (distance * np.cos(polar - self.gamma) - inner) / (outer - inner)
 
     def azimuth(self, distance, polar):
-        return self._profile(polar) + self._trace(distance)
+        v = self._share(distance, polar)
+        foot, tip = (self._polar.ev(np.full_like(v, u), v) for u in (0.0, 1.0))
+        u = np.clip((polar - foot) / (tip - foot), 0.0, 1.0)
+        for _ in range(6):
+            u = np.clip(u - (self._polar.ev(u, v) - polar) / self._polar.ev(u, v, dx=1), 0.0, 1.0)
+        return self._azimuth.ev(u, v)
 
     def holds(self, distance, polar):
-        inside = (polar >= self.polar.min()) & (polar <= self.polar.max())
-        return inside & (distance >= self.distance.min()) & (distance <= self.distance.max())
+        v = self._share(distance, polar)
+        if not np.any((polar >= self._heights[0]) & (polar <= self._heights[1])):
+            return np.zeros(v.shape, bool)
+        foot, tip = np.sort([self._polar.ev(np.full_like(v, u), v) for u in (0.0, 1.0)], axis=0)
+        return (polar >= foot) & (polar <= tip) & (v >= 0.0) & (v <= 1.0)
+
+
+def flank_patches(gear):
+    """The two flanks of the first tooth, from form circle to tip, without relief."""
+    tooth = gear.bevel_teeth.mean
+    ends = np.array([tooth.form_angle, tooth.face_angle])
+    middle = gear.bevel_teeth.level("mean")
+    share = (middle - gear.inner_distance) / gear.face_width
+    found = []
+    for patch in gear.boundary.patches:
+        _, polar, _ = spherical(patch.point(np.array([0.0, 1.0]), np.array([share, share])))
+        if np.abs(np.sort(polar) - ends).max() < _NEAR:
+            found.append(patch)
+    return found
 
 
 def spherical(points):
@@ -38,7 +64,7 @@ def spherical(points):
     return distance, np.arccos(z / distance), np.arctan2(y, x)
 
 
-def greatest_lead(pair, turn, side, shaft_angle_error, mounting_errors, offset_error, grid=(161, 601)):
+def greatest_lead(pair, turn, side, shaft_angle_error, mounting_errors, offset_error, grid=(81, 601)):
     """Of the gear, in the sense in which it is driven: what the tightest of all grid points allows, radians."""
     pinion, gear = Surface(pair.pinion, side), Surface(pair.gear, side)
     v, u = np.meshgrid(np.linspace(0.0, 1.0, grid[0]), np.linspace(0.0, 1.0, grid[1]), indexing="ij")

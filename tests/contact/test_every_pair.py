@@ -5,7 +5,6 @@ import pytest
 
 from gearwright import ParameterError
 from gearwright.contact.lines import contact_ratios
-from gearwright.contact.mesh import mesh_of
 from gearwright.contact.transmission import transmission_error
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
@@ -34,14 +33,14 @@ def any_pairs(count):
             continue
 
 
-def _ratio_above_fillets(mesh):
+def _ratio_above_fillets(pair):
     """From the turns of the crown gear at which each tip, or already its mate's fillet, ends the contact."""
-    teeth = mesh.pinion.flank, mesh.gear.flank
+    teeth = pair.teeth_on_sphere(pair.pinion.mean_distance)
     turns = [
         min(float(one.flank.parameter_at(one.face_angle)), -float(mate.flank.parameter_at(mate.form_angle)))
         for one, mate in (teeth, teeth[::-1])
     ]
-    return sum(turns) / (2.0 * np.pi * np.sin(mesh.pinion.pitch_angle) / mesh.pinion.teeth)
+    return sum(turns) / (2.0 * np.pi * np.sin(pair.pinion.pitch_cone_angle) / pair.teeth[0])
 
 
 def runs_true(pair):
@@ -51,7 +50,7 @@ def runs_true(pair):
         assert found.peak_to_peak < 1e-12
         if not error:
             np.testing.assert_allclose(found.lead, -pair.backlash / 2.0 / pair.gear.pitch_radius, atol=1e-12)
-    expected = _ratio_above_fillets(mesh_of(pair))
+    expected = _ratio_above_fillets(pair)
     # where a fillet ends the contact, at the very foot of a flank, slopes are quotients of roundings
     at_foot = expected < pair.sizes()["contact_ratio"].value - 1e-9
     assert contact_ratios(pair).transverse == pytest.approx(expected, abs=1e-7 if at_foot else 1e-10)

@@ -59,8 +59,10 @@ def both_flanks_are_there(mesh, side):
         assert lines
         for line in lines:
             at = np.full(line.distance.shape, turn + mesh.pitch * line.tooth)
-            np.testing.assert_allclose(approach.lead(at, line.distance, line.polar), 0.0, atol=1e-11)
-            assert np.all(approach.is_on_gear(at, line.distance, line.polar) > -1e-9)
+            level = mesh.pinion.level(line.polar, line.distance)
+            np.testing.assert_allclose(approach.lead(at, level, line.polar), 0.0, atol=1e-11)
+            assert np.all(approach.room(at, level, line.polar) > -1e-9)
+            assert np.all(mesh.pinion.room(line.polar, line.distance) > -1e-9)
 
 
 @every_side
@@ -89,7 +91,7 @@ def test_so_are_those_of_arches(side):
 def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, side):
     pair = BevelPair(**PAIRS[name])
     path = ContactPath(mesh=mesh_of(pair), side=side)
-    points = path.point(np.linspace(*path.active, 40))
+    points = path.point(np.linspace(*path.heights, 40))
     normal = np.linalg.svd(points)[2][2]
     assert np.abs(points @ normal).max() < 1e-11
     axes = [placement[:3, 2] for placement in pair.placements()]
@@ -107,7 +109,12 @@ def test_the_contact_ratio_is_that_of_the_closed_form(name, side):
     assert found.total == found.transverse
 
 
-@pytest.mark.parametrize("more", [{}, SPIRAL, {**SPIRAL, "hand": "left"}], ids=["straight", "right", "left"])
+EVERY_TRACE = pytest.mark.parametrize(
+    "more", [{}, SPIRAL, {**SPIRAL, "hand": "left"}], ids=["straight", "right", "left"]
+)
+
+
+@EVERY_TRACE
 def test_there_are_as_many_lines_on_average_as_the_total_contact_ratio(more):
     pair = BevelPair(**BASIC, **more)
     turns = (np.arange(200) + 0.5) / 200.0 * 360.0 / 16
@@ -115,36 +122,68 @@ def test_there_are_as_many_lines_on_average_as_the_total_contact_ratio(more):
     assert np.mean([len(contact_lines(pair, turn, samples=2)) for turn in turns]) == pytest.approx(
         found.total, abs=0.01
     )
-    assert found.total == pytest.approx(found.transverse + found.overlap, rel=1e-14)
-    ends = pair.pinion.cone_distance, pair.pinion.inner_distance
-    lag = np.tan(np.radians(35.0)) * np.log(ends[0] / ends[1]) / np.sin(pair.pinion.pitch_cone_angle)
-    assert found.overlap == pytest.approx(lag * 16 / (2.0 * np.pi) if more else 0.0, rel=1e-13)
+
+
+@EVERY_TRACE
+@pytest.mark.parametrize("form", ["involute", "octoid"])
+def test_contact_ratios_are_those_that_the_pair_says_in_closed_form(more, form):
+    """In all exactly so where ends are spheres; conical ones take or give a little at the tips."""
+    pair = BevelPair(**BASIC, **more, tooth_form=form, ends="spherical")
+    said, found = pair.sizes(), contact_ratios(pair)
+    assert found.transverse == pytest.approx(said["contact_ratio"].value, abs=1e-11)
+    assert found.overlap == pytest.approx(said["overlap_ratio"].value, abs=1e-13)
+    assert found.total == pytest.approx(said["total_contact_ratio"].value, abs=1e-11)
+    assert (found.overlap > 0.5) == bool(more)
+    on_cones = contact_ratios(replace(pair, ends="conical"))
+    assert (on_cones.transverse, on_cones.overlap) == (found.transverse, found.overlap)
+    assert on_cones.total == pytest.approx(found.total, abs=0.01)
+    assert (on_cones.total == pytest.approx(found.total, abs=1e-9)) == (not more)
+
+
+@pytest.mark.parametrize("given", [{"taper": "uniform"}, {"standard": "gleason-straight"}], ids=["uniform", "gleason"])
+def test_tips_that_do_not_point_at_the_apex_touch_longer_at_one_end(given):
+    pair = BevelPair(**BASIC, **given)
+    path, ratios = ContactPath(mesh=mesh_of(pair)), contact_ratios(pair)
+    inner, outer = (float(np.ptp(path.turn(np.concatenate(path.active(r))))) for r in path.mesh.pinion.pitch_ends)
+    transverse = ratios.transverse * path.mesh.pitch
+    assert min(inner, outer) < transverse < max(inner, outer)
+    assert max(inner, outer) <= ratios.total * path.mesh.pitch * (1.0 + 1e-3)
+    assert ratios.transverse == pytest.approx(pair.sizes()["contact_ratio"].value, abs=1e-10)
+    for side in ("drive", "coast"):
+        both_flanks_are_there(path.mesh, side)
 
 
 def test_a_line_from_end_to_end_leans_by_the_base_spiral_angle():
     """tan β_b = cos a tan β on the plane of action of a logarithmic spiral, at every cone distance."""
     lengths = {}
     for name, more in {"straight": {}, "spiral": SPIRAL}.items():
-        lines = [line for turn in TURNS for line in contact_lines(BevelPair(**BASIC, **more), turn, samples=513)]
+        pair = BevelPair(**BASIC, **more, ends="spherical")
+        lines = [line for turn in TURNS for line in contact_lines(pair, turn, samples=513)]
         lengths[name] = max(line.length for line in lines if np.ptp(line.distance) > 10.0 - 1e-9)
     assert lengths["straight"] == pytest.approx(10.0, rel=1e-12)
     lean = np.arctan(np.cos(np.radians(20.0)) * np.tan(np.radians(35.0)))
     assert lengths["spiral"] == pytest.approx(10.0 / np.cos(lean), rel=1e-6)
 
 
-def test_lines_of_a_spiral_end_at_the_ends_or_the_tips():
-    pair = BevelPair(**BASIC, **SPIRAL)
+@pytest.mark.parametrize("given", [{}, {"ends": "flat"}, {"taper": "uniform"}], ids=["conical", "flat", "uniform"])
+def test_lines_of_a_spiral_end_at_the_ends_or_the_tips(given):
+    pair = BevelPair(**BASIC, **SPIRAL, **given)
     path = ContactPath(mesh=mesh_of(pair))
     for turn in TURNS:
         for line in contact_lines(pair, turn):
             for r, polar in zip(line.distance[[0, -1]], line.polar[[0, -1]], strict=True):
-                at_end = min(abs(r - pair.pinion.inner_distance), abs(r - pair.pinion.cone_distance)) < 1e-9
-                assert at_end or np.abs(np.array(path.active) - polar).min() < 1e-9
+                other = path.gear_polar(polar)
+                rooms = path.mesh.pinion.room(polar, r), path.mesh.gear.room(other, r)
+                assert min(rooms) == pytest.approx(0.0, abs=1e-9)
+            middle = len(line.polar) // 2
+            assert path.mesh.gear.room(path.gear_polar(line.polar[middle]), line.distance[middle]) > 1e-6
 
 
-def test_an_arched_tooth_touches_on_both_arms():
-    path = ContactPath(mesh=arched(BevelPair(**BASIC)))
-    arms = [line for line in lines_at(path, 0.0) if line.tooth == 0]
-    middle = path.mesh.pinion.trace.middle
-    assert [line.distance.max() <= middle + 1e-9 for line in arms] == [True, False]
-    np.testing.assert_allclose(arms[0].polar, arms[1].polar[::-1], rtol=1e-12)
+def test_an_arched_tooth_touches_alike_on_both_arms():
+    path = ContactPath(mesh=arched(BevelPair(**BASIC, ends="spherical")))
+    (line,) = [line for line in lines_at(path, 0.0) if line.tooth == 0]
+    assert np.ptp(line.distance) == pytest.approx(10.0, rel=1e-12)
+    np.testing.assert_allclose(line.polar, line.polar[::-1], rtol=1e-12)
+    cut = [line for turn in TURNS for line in lines_at(path, np.radians(turn)) if np.ptp(line.distance) < 9.0]
+    assert any(line.distance[-1] < path.mesh.pinion.trace.middle for line in cut)
+    assert any(line.distance[0] > path.mesh.pinion.trace.middle for line in cut)

@@ -7,10 +7,10 @@ import pytest
 
 import gearwright as gw
 from gearwright.contact.mesh import mesh_of
-from gearwright.contact.overlap import flank_area, overlap_through_cycle
+from gearwright.contact.overlap import _body, flank_area, overlap_through_cycle
 from gearwright.elements.bevel.bevel_pair import BevelPair
 
-from ..laws.contact import involute_patches
+from .surfaces import flank_patches
 from .test_transmission import BASIC, SPIRAL
 
 
@@ -22,8 +22,39 @@ def test_conjugate_teeth_share_no_more_than_chords_and_ever_less(more):
         assert found.keeps_apart
         assert found.volumes.max() <= 0.02 * found.bound
         assert found.volumes.shape == (3,)
-    assert fine.volumes.max() <= coarse.volumes.max() / 10.0
+    assert fine.volumes.max() <= max(coarse.volumes.max() / 10.0, 1e-3 * fine.bound)
     np.testing.assert_allclose(coarse.turns, [0.0, 7.5, 15.0])
+
+
+SPIRALS = {
+    "circular, Gleason": {"trace": "circular", "cutter_radius": 57.15, "standard": "gleason-spiral"},
+    "circular, ISO 23509, uniform": {
+        "trace": "circular",
+        "cutter_radius": 57.15,
+        "standard": "iso-23509",
+        "taper": "uniform",
+    },
+    "logarithmic, ISO 23509": {"trace": "logarithmic", "standard": "iso-23509"},
+}
+
+
+@pytest.mark.parametrize("name", SPIRALS)
+def test_13_and_44_spiral_teeth_are_whole_and_keep_apart(name):
+    """Every vertex above the root cone belongs to one of 13 or 44 equal teeth; bodies are closed and of one piece."""
+    pair = BevelPair(teeth=(13, 44), module=3.0, face_width=20.0, spiral_angle=35.0, **SPIRALS[name])
+    found = overlap_through_cycle(pair, tolerance=0.03, turns=3)
+    assert found.volumes.max() <= 0.02 * found.bound
+    for gear, count in ((pair.pinion, 13), (pair.gear, 44)):
+        body = _body(gear.polyhedron(0.03), np.eye(4))
+        assert body.status().name == "NoError"
+        assert len(body.decompose()) == 1
+        tip = body.to_mesh64().vert_properties[:, :3]
+        polar = np.arctan2(np.hypot(tip[:, 0], tip[:, 1]), tip[:, 2])
+        tooth = gear.bevel_teeth.outer
+        outer = tip[(polar > tooth.face_angle - 1e-3) & (np.linalg.norm(tip, axis=1) > gear.cone_distance)]
+        azimuth = np.sort(np.arctan2(outer[:, 1], outer[:, 0]))
+        gaps = np.diff(azimuth, append=azimuth[0] + 2.0 * np.pi)
+        assert np.sum(gaps > 0.3 * 2.0 * np.pi / count) == count
 
 
 class Overlapping(BevelPair):
@@ -53,7 +84,7 @@ def test_the_area_is_that_of_the_solids_flanks(more):
     x, w = np.polynomial.legendre.leggauss(16)
     u, v = (a.ravel() for a in np.meshgrid((x + 1.0) / 2.0, (x + 1.0) / 2.0))
     weights = np.outer(w, w).ravel() / 4.0
-    whole = sum(float(np.linalg.norm(p.area_vector(u, v), axis=1) @ weights) for p in involute_patches(pair.pinion))
+    whole = sum(float(np.linalg.norm(p.area_vector(u, v), axis=1) @ weights) for p in flank_patches(pair.pinion))
     assert flank_area(mesh_of(pair).pinion) == pytest.approx(whole, rel=2e-4)
 
 

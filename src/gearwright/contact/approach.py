@@ -7,7 +7,6 @@ two meet there. All of it is closed form; what the tooth as a whole allows is th
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 from ..arrays import Array, Indices
 from .mesh import Mesh, Side
 from .misalignment import ALIGNED, Misalignment
-from .search import crossing, largest
+from .search import largest, stretches
 
 _NODES = 7  # of a flank's height and of its length: contact has one best point on each, rarely two
 _STEPS = 26  # of golden section: 4e-6 of a third of the flank, so the value is good to 1e-13 of its drop
@@ -55,102 +54,88 @@ class Approach:
 
     @cached_property
     def _is_uniform(self) -> bool:
-        """Whether all spheres about the apex see the same: straight teeth, and one apex."""
-        member = self.mesh.pinion
-        distances = np.linspace(member.inner, member.outer, _NODES)
-        slopes = [one.trace.slope(distances) for one in (member, self.mesh.gear)]
-        return self.misalignment.keeps_apex and not np.any(slopes)
+        """Whether all spheres about the apex see the same, so that any will do and the ends do not matter."""
+        return self.misalignment.keeps_apex and self.mesh.is_uniform
 
     def touch(self, turn: Array) -> Touch:
-        """Of the pinion's first tooth when it stands turned by angles (n,), radians, from the pitch line."""
+        """Of the pinion's first tooth when it stands turned by angles (n,), radians, from the pitch line.
+
+        Where it touches alike on all spheres, that at mid-face is named.
+        """
         pinion = self.mesh.pinion
-        distance = np.full(turn.shape, pinion.outer)
+        level = np.full(turn.shape, (pinion.inner + pinion.outer) / 2.0)
         if not self._is_uniform:
             meets = self._meets(turn)
             ends = np.full(meets.sum(), pinion.inner), np.full(meets.sum(), pinion.outer)
-            distance[meets], _ = largest(
-                lambda r: self._on_sphere(turn[meets], r)[0], *ends, nodes=2 * _NODES, steps=_STEPS
+            level[meets], _ = largest(
+                lambda v: self._on_level(turn[meets], v)[0], *ends, nodes=2 * _NODES + 1, steps=_STEPS
             )
-        lead, polar = self._on_sphere(turn, distance)
-        return Touch(lead=lead, distance=distance, polar=polar)
+        lead, polar = self._on_level(turn, level)
+        return Touch(lead=lead, distance=pinion.distance(polar, level), polar=polar)
 
     def _meets(self, turn: Array) -> NDArray[np.bool_]:
         """Whether a tooth (n,) is within its mate's flank anywhere, or so nearly that it may be between the nodes."""
-        pinion = self.mesh.pinion
+        pinion, gear = self.mesh.pinion, self.mesh.gear
         found = np.zeros(turn.shape, bool)
-        heights = np.linspace(pinion.flank.form_angle, pinion.flank.face_angle, _NODES)
-        step = heights[1] - heights[0]
-        for distance in np.linspace(pinion.inner, pinion.outer, 2 * _NODES):
-            for polar in heights:
-                at = self._seen(turn, np.full(turn.shape, distance), np.full(turn.shape, polar))
-                near = [margin(at) > -2.0 * step for margin in self._margins[:2]]
-                found |= np.all(near, axis=0)
+        for level in np.linspace(pinion.inner, pinion.outer, 2 * _NODES):
+            form, face = float(pinion.flank.form_angle(level)), float(pinion.flank.face_angle(level))
+            step = (face - form) / (_NODES - 1)
+            for polar in np.linspace(form, face, _NODES):
+                at = self._seen(turn, np.full(turn.shape, level), np.full(turn.shape, polar))
+                height = _polar(at)
+                found |= gear.height_room(height, gear.level(height, _reach(at))) > -2.0 * step
         return found
 
-    def lead(self, turn: Array, distance: Array, polar: Array) -> Array:
+    def lead(self, turn: Array, level: Array, polar: Array) -> Array:
         """Of the gear (...), if it touched the pinion at points (...) of its flank."""
-        at = self._seen(turn, distance, polar)
+        at = self._seen(turn, level, polar)
         gear, ratio = self.mesh.gear, self.mesh.pinion.teeth / self.mesh.gear.teeth
-        reach = np.linalg.norm(at, axis=-1)
-        height = np.clip(_polar(at), gear.flank.form_angle, gear.flank.face_angle)
+        reach, seen = _reach(at), _polar(at)
+        there = gear.level(seen, reach)
+        height = np.clip(seen, gear.flank.form_angle(there), gear.flank.face_angle(there))
         behind = np.arctan2(at[..., 1], at[..., 0]) - gear.trace.turn(reach) + turn * ratio
-        return gear.flank.half_angle(height) - np.pi / gear.teeth - self._sense * behind
+        return gear.flank.half_angle(height, there) - np.pi / gear.teeth - self._sense * behind
 
-    def is_on_gear(self, turn: Array, distance: Array, polar: Array) -> Array:
-        """How far inside the gear's flank points (...) of the pinion's lie: the least margin, < 0 outside."""
-        at = self._seen(turn, distance, polar)
-        return np.min([margin(at) for margin in self._margins], axis=0)
+    def room(self, turn: Array, level: Array, polar: Array) -> Array:
+        """How far inside the gear's flank points (...) of the pinion's lie: < 0 outside (see `Member.room`)."""
+        at = self._seen(turn, level, polar)
+        gear, height = self.mesh.gear, _polar(at)
+        if self._is_uniform:
+            return gear.height_room(height, (gear.inner + gear.outer) / 2.0)
+        return gear.room(height, _reach(at))
 
-    def _seen(self, turn: Array, distance: Array, polar: Array) -> Array:
+    def _seen(self, turn: Array, level: Array, polar: Array) -> Array:
         """Points (..., 3) of the pinion's flank in the frame of the gear's seat."""
-        point = self.mesh.pinion.flank_points(distance, polar, self._sense, turn)
+        point = self.mesh.pinion.flank_points(level, polar, self._sense, turn)
         axes, apex = self._seat
         return (point - apex) @ axes
 
-    @cached_property
-    def _margins(self) -> tuple[Callable[[Array], Array], ...]:
-        """Functions of points in the gear's frame, ≥ 0 within its tips, the foot of its flanks, and its ends."""
-        gear = self.mesh.gear
-        on_flank = (lambda at: gear.flank.face_angle - _polar(at), lambda at: _polar(at) - gear.flank.form_angle)
-        if self.misalignment.keeps_apex:
-            return on_flank
-        return (
-            *on_flank,
-            lambda at: gear.outer - np.linalg.norm(at, axis=-1),
-            lambda at: np.linalg.norm(at, axis=-1) - gear.inner,
-        )
-
-    def _on_sphere(self, turn: Array, distance: Array) -> tuple[Array, Array]:
-        """(lead, polar angle) of the best point at given cone distances (n,) of the pinion."""
+    def _on_level(self, turn: Array, level: Array) -> tuple[Array, Array]:
+        """(lead, polar angle) of the best point on given levels (n,) of the pinion."""
         flank = self.mesh.pinion.flank
-        low, high = np.full(turn.shape, flank.form_angle), np.full(turn.shape, flank.face_angle)
-        lead, polar, left = np.full(turn.shape, -np.inf), high.copy(), np.arange(len(turn), dtype=np.int64)
-        for margin in self._margins:
-            left, low, high = self._cut(margin, turn, distance, left, low, high)
-        if len(left):
-            polar[left], lead[left] = largest(
-                lambda x: self.lead(turn[left], distance[left], x), low, high, nodes=_NODES, steps=_STEPS
+        form, face = flank.form_angle(level), flank.face_angle(level)
+        grid = form + np.linspace(0.0, 1.0, _NODES)[:, None] * (face - form)
+        grid[-1] = face
+        columns, low, high = stretches(lambda at, x: self.room(turn[at], level[at], x), grid)
+        lead, polar = np.full(turn.shape, -np.inf), face.copy()
+        if len(columns):
+            where, found = largest(
+                lambda x: self.lead(turn[columns], level[columns], x), low, high, nodes=_NODES, steps=_STEPS
             )
+            best = _best(columns, found)
+            lead[columns[best]], polar[columns[best]] = found[best], where[best]
         return lead, polar
 
-    def _cut(
-        self, margin: Callable[[Array], Array], turn: Array, distance: Array, left: Indices, low: Array, high: Array
-    ) -> tuple[Indices, Array, Array]:
-        """Which columns are left, and their intervals of polar angle, where a margin ≥ 0 holds."""
 
-        def inside(columns: Indices, polar: Array) -> Array:
-            return margin(self._seen(turn[columns], distance[columns], polar))
+def _best(columns: Indices, values: Array) -> Indices:
+    """Which of the values (m,) are the greatest of their columns (m,)."""
+    order = np.lexsort((-values, columns))
+    _, first = np.unique(columns[order], return_index=True)
+    return np.asarray(order[first])
 
-        at_low, at_high = inside(left, low), inside(left, high)
-        alive = (at_low >= 0.0) | (at_high >= 0.0)
-        left = left[alive]
-        low, high, at_low, at_high = (one[alive] for one in (low, high, at_low, at_high))
-        cut = np.flatnonzero((at_low < 0.0) | (at_high < 0.0))
-        if len(cut):
-            root = crossing(lambda x: inside(left[cut], x), low[cut], high[cut])
-            below = at_low[cut] < 0.0
-            low[cut], high[cut] = np.where(below, root, low[cut]), np.where(below, high[cut], root)
-        return left, low, high
+
+def _reach(at: Array) -> Array:
+    return np.asarray(np.linalg.norm(at, axis=-1))
 
 
 def _polar(at: Array) -> Array:

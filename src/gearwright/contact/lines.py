@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -11,14 +10,12 @@ from ..arrays import Array
 from ..elements.bevel.bevel_pair import BevelPair
 from .mesh import Side, mesh_of
 from .path import ContactPath
-from .search import crossing
+from .search import stretches
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactLine:
-    """The line along which one pinion tooth touches, from the inner to the outer end.
-
-    Where the trace turns back, as that of a zerol gear does, there is one line to either side of that place.
+    """A line along which one pinion tooth touches, from its inner to its outer end.
 
     tooth             of the pinion, 0 the one on the pitch line at turn 0 and the mean cone distance
     distance, polar   (n,) cone distance and polar angle on the pinion
@@ -38,7 +35,7 @@ class ContactLine:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactRatios:
-    """Teeth in contact: on one sphere, by the lag of the teeth's ends, and all together on average."""
+    """Teeth in contact: on the sphere at mid-face, by the lag of the teeth's ends, and all together on average."""
 
     transverse: float
     overlap: float
@@ -53,56 +50,39 @@ def contact_lines(
 
 
 def contact_ratios(pair: BevelPair, side: Side = "drive") -> ContactRatios:
-    """Contact ratios from where the pinion's flank touches; while the teeth are conjugate.
+    """Contact ratios from where the pinion's flank touches; of the forms, while they are conjugate.
 
     The total is the turn from a tooth's first touching, on whatever sphere, to its last, over the pitch.
     """
-    mesh = mesh_of(pair)
-    path = ContactPath(mesh=mesh, side=side)
-    first, last = _first_and_last(path)
-    least, most = mesh.pinion.turned
+    path = ContactPath(mesh=mesh_of(pair), side=side)
+    first, last = path.first_and_last
+    least, most = path.mesh.pinion.turned
     return ContactRatios(
-        transverse=path.transverse_ratio, overlap=(most - least) / mesh.pitch, total=(last - first) / mesh.pitch
+        transverse=path.transverse_ratio,
+        overlap=(most - least) / path.mesh.pitch,
+        total=(last - first) / path.mesh.pitch,
     )
 
 
 def lines_at(path: ContactPath, turn: float, samples: int = 33) -> tuple[ContactLine, ...]:
-    """Lines of contact of any conjugate flanks with the pinion turned by an angle, radians."""
-    first, last = _first_and_last(path)
-    pitch = path.mesh.pitch
-    teeth = range(int(np.ceil((first - turn) / pitch)), int(np.floor((last - turn) / pitch)) + 1)
-    bends = path.mesh.pinion.bends
-    pieces = [
-        (tooth, _touching_distances(path, turn + tooth * pitch, inner, outer))
-        for tooth in teeth
-        for inner, outer in pairwise(bends)
-    ]
+    """Lines of contact of any conjugate flanks with the pinion turned by an angle, radians.
+
+    One shorter than 1/128 of the face may be passed over.
+    """
+    pitch, trace = path.mesh.pitch, path.mesh.pinion.trace
+    first, last = path.first_and_last
+    teeth = np.arange(np.ceil((first - turn) / pitch - 1e-9), np.floor((last - turn) / pitch + 1e-9) + 1.0, dtype=int)
+    grid = np.repeat(path.spheres[:, None], len(teeth), axis=1)
+    columns, inner, outer = stretches(
+        lambda at, r: path.room(turn + teeth[at] * pitch + trace.turn(r), r), grid
+    )  # fmt: skip
     return tuple(
-        _line(path, tooth, turn + tooth * pitch, np.linspace(*piece, samples)) for tooth, piece in pieces if piece
+        _line(path, tooth, turn + tooth * pitch, np.linspace(*ends, samples))
+        for tooth, *ends in zip(teeth[columns].tolist(), inner.tolist(), outer.tolist(), strict=True)
+        if ends[1] > ends[0]
     )
 
 
 def _line(path: ContactPath, tooth: int, turn: float, distance: Array) -> ContactLine:
-    polar = path.polar(np.clip(turn + path.mesh.pinion.trace.turn(distance), *path.ends))
+    polar = path.polar(turn + path.mesh.pinion.trace.turn(distance))
     return ContactLine(tooth=tooth, distance=distance, polar=polar, points=distance[:, None] * path.point(polar))
-
-
-def _touching_distances(path: ContactPath, turn: float, inner: float, outer: float) -> tuple[float, float] | None:
-    """Cone distances between which a tooth touches, among those where its trace turns one way only."""
-    trace = path.mesh.pinion.trace
-    ends = np.array([inner, outer])
-    at_ends = turn + trace.turn(ends)
-    if at_ends.max() < path.ends[0] or at_ends.min() > path.ends[1]:
-        return None
-    if at_ends[0] == at_ends[1]:
-        return inner, outer
-    wanted = np.clip(at_ends, *path.ends)
-    low, high = (np.full(2, one) for one in ends)
-    found = crossing(lambda r: turn + trace.turn(r) - wanted, low, high)
-    return float(found[0]), float(found[1])
-
-
-def _first_and_last(path: ContactPath) -> tuple[float, float]:
-    """Turns of the pinion between which a tooth touches anywhere."""
-    least, most = path.mesh.pinion.turned
-    return path.ends[0] - most, path.ends[1] - least

@@ -65,12 +65,11 @@ def overlap_through_cycle(pair: BevelPair, *, tolerance: float | None = None, tu
 
 def flank_area(member: Member) -> float:
     """Of both flanks of a tooth, from form to tip, by small quadrangles: good to 1e-4 of it."""
-    distance, polar = np.meshgrid(
-        np.linspace(member.inner, member.outer, _GRID),
-        np.linspace(member.flank.form_angle, member.flank.face_angle, _GRID),
-        indexing="ij",
-    )
-    points = member.flank_points(distance, polar, 1.0)
+    level = np.broadcast_to(np.linspace(member.inner, member.outer, _GRID)[:, None], (_GRID, _GRID))
+    form, face = member.flank.form_angle(level), member.flank.face_angle(level)
+    polar = form + (face - form) * np.linspace(0.0, 1.0, _GRID)
+    polar[:, -1] = face[:, -1]
+    points = member.flank_points(level, polar, 1.0)
     diagonals = points[1:, 1:] - points[:-1, :-1], points[1:, :-1] - points[:-1, 1:]
     return float(np.linalg.norm(np.cross(*diagonals), axis=-1).sum())  # half a flank's quadrangles, twice
 

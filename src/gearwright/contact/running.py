@@ -9,7 +9,7 @@ import numpy as np
 from ..arrays import Array
 from ..elements.bevel.bevel_pair import BevelPair
 from ..parameters import Size
-from .lines import contact_ratios, lines_at
+from .lines import lines_at
 from .mesh import mesh_of
 from .path import ContactPath
 from .transmission import TransmissionError, transmission_error
@@ -68,16 +68,14 @@ def lines_over_a_pitch(pair: BevelPair) -> LineCount:
 
 
 def running(pair: BevelPair) -> dict[str, Size]:
-    """Sizes of a pair that come of its running. Raises GeometryError."""
-    errors, ratios, lines = errors_of(pair), contact_ratios(pair), lines_over_a_pitch(pair)
+    """Sizes of a pair that come of its running; contact ratios are among its own. Raises GeometryError."""
+    errors, lines = errors_of(pair), lines_over_a_pitch(pair)
     return {
         "transmission_error": _angle(errors.designed, "TE", "peak to peak, as designed"),
         "shaft_angle_error": Size(SHAFT_ANGLE_ERROR, "angle", "ΔΣ", "by which the shaft angle is larger"),
         "transmission_error_at_shaft_angle_error": _angle(errors.tilted, "TE_ΔΣ", "peak to peak"),
         "offset_error": Size(errors.offset, "length", "E", "distance of the axes"),
         "transmission_error_at_offset_error": _angle(errors.apart, "TE_E", "peak to peak"),
-        "overlap_ratio": Size(ratios.overlap, "", "ε_β", "pitches by which the ends of a tooth lag"),
-        "total_contact_ratio": Size(ratios.total, "", "ε_γ", "teeth in contact on average"),
         "least_contact_length": Size(float(lines.lengths.min()), "length", "l_min", "of all lines of contact"),
         "greatest_contact_length": Size(float(lines.lengths.max()), "length", "l_max", "of all lines of contact"),
     }

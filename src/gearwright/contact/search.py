@@ -1,4 +1,4 @@
-"""Roots and maxima of many functions of one variable at once: column i of every array belongs to the i-th function."""
+"""Roots, signs and maxima of many functions of one variable at once: column i of arrays belongs to the i-th one."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Indices
 
 Function = Callable[[Array], Array]
 
@@ -33,6 +33,28 @@ def crossing(function: Function, low: Array, high: Array) -> Array:
         if np.all(done | (at_b == 0.0)):
             break
     return b
+
+
+def stretches(function: Callable[[Indices, Array], Array], grid: Array) -> tuple[Indices, Array, Array]:
+    """(columns, low, high) (m,) of the stretches on which functions are ≥ 0, found at the nodes grid (k, n).
+
+    function   values (m,) of functions of columns (m,) at x (m,)
+
+    A stretch is a run of nodes, reaching on either side to where the sign changes; shorter ones between two nodes are
+    passed over. A column has none, one or several.
+    """
+    every = np.arange(grid.shape[1], dtype=np.int64)
+    values = function(np.tile(every, len(grid)), grid.ravel()).reshape(grid.shape)
+    good = np.pad(values >= 0.0, ((1, 1), (0, 0)))
+    columns, first = np.nonzero((good[1:-1] & ~good[:-2]).T)
+    _, last = np.nonzero((good[1:-1] & ~good[2:]).T)
+    low, high = grid[first, columns], grid[last, columns]
+    for ends, rows, step in ((low, first, -1), (high, last, 1)):
+        cut = np.flatnonzero((rows + step >= 0) & (rows + step < len(grid)))
+        if len(cut):
+            outside = grid[rows[cut] + step, columns[cut]]
+            ends[cut] = crossing(lambda x, at=columns[cut]: function(at, x), outside, ends[cut])  # type: ignore[misc]
+    return columns, low, high
 
 
 def largest(function: Function, low: Array, high: Array, *, nodes: int, steps: int) -> tuple[Array, Array]:

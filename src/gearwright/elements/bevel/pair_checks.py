@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from .bevel_pair import BevelPair
 
 _OF_THE_CONES = ("teeth", "module", "diametral_pitch", "shaft_angle", "length_unit")
+_NAMES = ("pinion", "gear")
+_MORE_PLAY = 2.2  # a depth on one of two flanks, and a little: it is told to two digits
 _OF_THE_SIZES = (
     *("face_width", "standard", "taper", "iso_method", "profile_shift", "thickness_modification"),
     *("working_depth", "whole_depth", "gear_addendum", "pressure_angle", "spiral_angle"),
@@ -73,7 +75,9 @@ def check_engagement(problems: Problems, pair: BevelPair) -> None:
 
 
 def _own_name(pair: BevelPair, member: int) -> str:
-    """The parameter that gives a member its addendum."""
+    """The parameter that keeps a member's tips away: what gives it its addendum, or the play where forms differ."""
+    if pair.pinion.tooth_form != pair.gear.tooth_form:
+        return "backlash" if pair.normal_backlash is None else "normal_backlash"
     if pair.standard == "explicit":
         return "working_depth" if member == 0 else "gear_addendum"
     return "standard" if pair.profile_shift is None else "profile_shift"
@@ -81,26 +85,49 @@ def _own_name(pair: BevelPair, member: int) -> str:
 
 def _interference(pair: BevelPair, member: int) -> str | None:
     """Why the tips of one member interfere with the roots of the other, at the end where they first do."""
-    gears, unit = (pair.pinion, pair.gear), pair.length_unit
-    name, mate = ("pinion", "gear")[member], ("gear", "pinion")[member]
-    distances = [gears[0].cone_distance]
-    if any(gear.bevel_teeth.varies for gear in gears):
-        distances += [gears[0].mean_distance, gears[0].inner_distance]
-    for distance in distances:
-        teeth = pair.teeth_on_sphere(distance)
-        own, other = teeth[member], teeth[1 - member]
-        limit = interference_limit(own, other)
-        if other.fillet is None and own.face_angle > limit + 1e-12:
-            most = gears[member].cone_distance * np.tan(limit - own.pitch_angle)
-            return (
-                f"interference: the {name}'s tip, {gears[member].proportions.addendum:.4g} {unit} above its pitch cone,"
-                f" would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
-                "(more teeth or a larger pressure angle allow more)"
-            )
-        depth = cut_depth(other, own, float(np.radians(pair.shaft_angle))) * distance
+    pinion = pair.pinion
+    distances = [pinion.cone_distance]
+    if any(gear.bevel_teeth.varies for gear in (pinion, pair.gear)):
+        distances += [pinion.mean_distance, pinion.inner_distance]
+    places = {r: pair.teeth_on_sphere(r) for r in distances}
+    if (pair.pinion, pair.gear)[1 - member].root != "fillet":
+        limits = {r: interference_limit(teeth[member], teeth[1 - member]) for r, teeth in places.items()}
+        if any(places[r][member].face_angle > limit + 1e-12 for r, limit in limits.items()):
+            return _beyond_the_form(pair, member, limits)
+    for distance, teeth in places.items():
+        depth = cut_depth(teeth[1 - member], teeth[member], float(np.radians(pair.shaft_angle))) * distance
         if depth > _CUT * distance:
-            return (
-                f"interference: the {name}'s tips cut {depth:.3g} {unit} into the {mate}'s roots; a smaller addendum, a"
-                f" smaller crown tip radius of the {mate} or a larger clearance keeps them apart"
-            )
+            return _cutting(pair, member, depth, pair.cone_distance / distance)
     return None
+
+
+def _beyond_the_form(pair: BevelPair, member: int, limits: dict[float, float]) -> str:
+    """Limits of the polar angle by the spheres' radii, as the outer addendum whose tip line keeps to all of them."""
+    gear, unit, name = (pair.pinion, pair.gear)[member], pair.length_unit, _NAMES[member]
+    tips = gear.bevel_teeth.tips
+    over = {distance: limit - gear.pitch_cone_angle for distance, limit in limits.items()}
+    most = pair.cone_distance * np.tan(over[pair.cone_distance])
+    if tips.offset:
+        most = min(r * np.sin(up) + tips.height - tips.height_at(r * np.cos(up)) for r, up in over.items())
+    return (
+        f"interference: the {name}'s tip, {gear.proportions.addendum:.4g} {unit} above its pitch cone,"
+        f" would meet its mate below the base cone; at most {rounded_down(most)} {unit} for that addendum "
+        "(more teeth or a larger pressure angle allow more)"
+    )
+
+
+def _cutting(pair: BevelPair, member: int, depth: float, outward: float) -> str:
+    """Tips cut to a depth on a sphere, so many times nearer to the apex than the outer end."""
+    unit, name, mate = pair.length_unit, _NAMES[member], _NAMES[1 - member]
+    if pair.pinion.tooth_form != pair.gear.tooth_form:
+        more = f"{_MORE_PLAY * depth * outward:.2g} {unit} more on the outer pitch circle"
+        return (
+            f"interference: flanks of two forms do not fit into each other: the {name}'s cut {depth:.3g} {unit} into"
+            f" the {mate}'s; {more} keep them apart, or teeth of one form"
+        )
+    has_fillet = (pair.pinion, pair.gear)[1 - member].root == "fillet"
+    rounder = f" a smaller crown tip radius of the {mate}" if has_fillet else ""
+    return (
+        f"interference: the {name}'s tips cut {depth:.3g} {unit} into the {mate}'s roots; a smaller addendum,{rounder}"
+        " or a larger clearance keeps them apart"
+    )

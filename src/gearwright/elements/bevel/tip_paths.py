@@ -15,13 +15,15 @@ def cut_depth(member: BevelTooth, mate: BevelTooth, shaft_angle: float) -> float
     """Depth (radians on the unit sphere) to which a mate's tips cut into a member; ≤ 0 is none.
 
     The ends of the mate's flank are followed through the member's teeth, fillets and roots included, on the whole way
-    that they are within its face cone, not along the line of action only.
+    that they are within its face cone, not along the line of action only. Depths into flanks and fillets are along
+    the circle about the member's axis. Flanks of two forms part from each other all the way to the tips, so that
+    these cut deepest there too.
     """
     return max(_depth(member, mate, shaft_angle, polar, half) for polar, half in _corners(mate))
 
 
 def _corners(tooth: BevelTooth) -> list[tuple[float, float]]:
-    """Polar angles and half angles of where the form ends and, with relief, of the tip; the other side mirrors them."""
+    """Polar angles and half angles of the tip and, with relief, of where it begins; the other side mirrors them."""
     corners = [(tooth.face_angle, tooth.tip_half)]
     if tooth.relief is not None:
         corners.append((tooth.relief.begin, float(tooth.half_angle(tooth.relief.begin))))
