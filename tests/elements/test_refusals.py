@@ -11,8 +11,8 @@ from gearwright.elements.cylindrical.spur_gear import SpurGear
 from gearwright.errors import ParameterError
 
 SPUR = {"teeth": 16, "module": 8.0, "face_width": 50.0}
-BEVEL = {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0}
-PAIR = {"teeth": (16, 20), "module": 4.0, "face_width": 15.0}
+BEVEL = {"teeth": 20, "pitch_angle": 45.0, "module": 4.0, "face_width": 15.0, "root": "radial", "ends": "spherical"}
+PAIR = {"teeth": (16, 20), "module": 4.0, "face_width": 15.0, "root": "radial", "ends": "spherical"}
 BASES = {SpurGear: SPUR, BevelGear: BEVEL, BevelPair: PAIR}
 ALL = tuple(BASES)
 MISSING = ...
@@ -49,7 +49,6 @@ SINGLE_VALUES = [
     (ALL, {"pressure_angle": 60.0}, "pressure_angle = 60°", ("less than 60",)),
     (ALL, {"pressure_angle": 0.0}, "pressure_angle = 0°", ("greater than 0",)),
     (ALL, {"bore": 0.0}, "bore = 0 mm", ("greater than 0",)),
-    ((BevelGear, BevelPair), {"root": "fillet"}, "root = 'fillet'", ("radial",)),
     (ALL, {"root": "filet"}, "root = 'filet'", ("radial",)),
     (ALL, {"root": None}, "root", ("radial",)),
     (ALL, {"length_unit": "cm"}, "length_unit = 'cm'", ("mm", "in")),
@@ -84,7 +83,7 @@ SINGLE_VALUES = [
         for trace in ("skew", "logarithmic", "involute")
     ],
     ((BevelGear, BevelPair), {"hand": "up"}, "hand = 'up'", ("right", "left")),
-    ((BevelGear, BevelPair), {"ends": "flat"}, "ends = 'flat'", ("spherical",)),
+    ((BevelGear, BevelPair), {"ends": "round"}, "ends = 'round'", ("conical", "spherical", "flat")),
     ((BevelGear, BevelPair), {"spiral_angle": 35.0}, "spiral_angle = 35°", ("straight", "logarithmic", "circular")),
     (
         (BevelGear, BevelPair),
