@@ -77,9 +77,9 @@ def lines_at(path: ContactPath, turn: float, samples: int = 33) -> tuple[Contact
         lambda at, r: path.room(turn + teeth[at] * pitch + trace.turn(r), r), grid
     )  # fmt: skip
     return tuple(
-        _line(path, tooth, turn + tooth * pitch, np.linspace(*ends, samples))
-        for tooth, *ends in zip(teeth[columns].tolist(), inner.tolist(), outer.tolist(), strict=True)
-        if ends[1] > ends[0]
+        _line(path, tooth, turn + tooth * pitch, np.linspace(r_i, r_e, samples))
+        for tooth, r_i, r_e in zip(teeth[columns].tolist(), inner.tolist(), outer.tolist(), strict=True)
+        if r_e > r_i
     )
 
 

@@ -40,11 +40,11 @@ class Member:
 
     def level(self, polar: ArrayLike, distance: ArrayLike) -> Array:
         """v (...) of points at polar angles (...) and cone distances (...)."""
-        return np.asarray(distance * self._cosine(polar))
+        return np.asarray(np.asarray(distance, float) * self._cosine(polar))
 
     def distance(self, polar: ArrayLike, level: ArrayLike) -> Array:
         """Cone distances (...) of points at polar angles (...) on levels (...)."""
-        return np.asarray(level / self._cosine(polar))
+        return np.asarray(np.asarray(level, float) / self._cosine(polar))
 
     def _cosine(self, polar: ArrayLike) -> Array:
         delta = np.asarray(polar, float)
@@ -94,7 +94,7 @@ class Member:
     @cached_property
     def bends(self) -> Array:
         """Cone distances from end to end of the pitch line between which the trace turns one way only."""
-        distance = np.linspace(*self.pitch_ends, _LOOKED_AT)
+        distance = np.linspace(self.pitch_ends[0], self.pitch_ends[1], _LOOKED_AT)
         slope = self.trace.slope(distance)
         turning = np.flatnonzero(slope[:-1] * slope[1:] < 0.0)
         between = crossing(self.trace.slope, distance[turning], distance[turning + 1])
@@ -124,7 +124,7 @@ class Mesh:
     def is_uniform(self) -> bool:
         """Whether all spheres about the apex see the same: straight teeth that do not vary."""
         return not any(
-            one.flank.varies or np.any(one.trace.slope(np.linspace(*one.pitch_ends, _LOOKED_AT)))
+            one.flank.varies or np.any(one.trace.slope(np.linspace(one.pitch_ends[0], one.pitch_ends[1], _LOOKED_AT)))
             for one in (self.pinion, self.gear)
         )
 
