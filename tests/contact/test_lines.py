@@ -93,7 +93,8 @@ def test_involutes_touch_on_the_great_circle_tangent_to_both_base_cones(name, si
     path = ContactPath(mesh=mesh_of(pair), side=side)
     points = path.point(np.linspace(*path.heights, 40))
     normal = np.linalg.svd(points)[2][2]
-    assert np.abs(points @ normal).max() < 1e-11
+    # nearest to the cusp, slopes of the fitted flank are quotients of roundings
+    assert np.abs(points @ normal).max() < 1e-9
     axes = [placement[:3, 2] for placement in pair.placements()]
     tangent = [np.sin(gear.tooth.base_cone_angle) for gear in (pair.pinion, pair.gear)]
     assert np.abs([axis @ normal for axis in axes]) == pytest.approx(tangent, abs=1e-10)
@@ -140,9 +141,11 @@ def test_contact_ratios_are_those_that_the_pair_says_in_closed_form(more, form):
     assert (on_cones.total == pytest.approx(found.total, abs=1e-9)) == (not more)
 
 
-@pytest.mark.parametrize("given", [{"taper": "uniform"}, {"standard": "gleason-straight"}], ids=["uniform", "gleason"])
+@pytest.mark.parametrize(
+    "given", [{"taper": "uniform", "teeth": (24, 30)}, {"standard": "gleason-straight"}], ids=["uniform", "gleason"]
+)
 def test_tips_that_do_not_point_at_the_apex_touch_longer_at_one_end(given):
-    pair = BevelPair(**BASIC, **given)
+    pair = BevelPair(**{**BASIC, **given})
     path, ratios = ContactPath(mesh=mesh_of(pair)), contact_ratios(pair)
     inner, outer = (float(np.ptp(path.turn(np.concatenate(path.active(r))))) for r in path.mesh.pinion.pitch_ends)
     transverse = ratios.transverse * path.mesh.pitch
@@ -165,9 +168,11 @@ def test_a_line_from_end_to_end_leans_by_the_base_spiral_angle():
     assert lengths["spiral"] == pytest.approx(10.0 / np.cos(lean), rel=1e-6)
 
 
-@pytest.mark.parametrize("given", [{}, {"ends": "flat"}, {"taper": "uniform"}], ids=["conical", "flat", "uniform"])
+@pytest.mark.parametrize(
+    "given", [{}, {"ends": "flat"}, {"taper": "uniform", "teeth": (24, 30)}], ids=["conical", "flat", "uniform"]
+)
 def test_lines_of_a_spiral_end_at_the_ends_or_the_tips(given):
-    pair = BevelPair(**BASIC, **SPIRAL, **given)
+    pair = BevelPair(**{**BASIC, **SPIRAL, **given})
     path = ContactPath(mesh=mesh_of(pair))
     for turn in TURNS:
         for line in contact_lines(pair, turn):

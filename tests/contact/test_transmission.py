@@ -103,13 +103,13 @@ def test_the_lead_is_that_of_the_tightest_point_of_the_solids(side, more, shaft_
     sense = 1.0 if side == "drive" else -1.0
     brute = np.array([greatest_lead(pair, sense * turn, side, *ASKEW.values()) for turn in found.pinion_turn])
     assert np.all(brute <= found.lead + 1e-9)
-    assert np.all(brute >= found.lead - 4e-6)
+    assert np.all(brute >= found.lead - 8e-6)  # halved where the grid along the face is
     assert found.peak_to_peak > 1e-5
 
 
 FORMS = [("involute", "involute"), ("octoid", "octoid")]
 VARIED = {
-    "uniform depth": {"taper": "uniform"},
+    "uniform depth": {"taper": "uniform", "teeth": (24, 30)},
     "Gleason": {"standard": "gleason-straight"},
     "ISO 23509": {"standard": "iso-23509", "taper": "uniform", **SPIRAL},
     "flat ends": {"ends": "flat"},
@@ -132,7 +132,7 @@ def test_pairs_of_one_form_run_true(name, side, forms):
 @pytest.mark.parametrize("forms", FORMS, ids=lambda forms: forms[0])
 @pytest.mark.parametrize("name", VARIED)
 def test_depths_roots_and_ends_leave_the_flanks_alone(name, forms):
-    found = transmission_error(BevelPair(**BASIC, **VARIED[name], tooth_form=forms), samples=16)
+    found = transmission_error(BevelPair(**{**BASIC, **VARIED[name]}, tooth_form=forms), samples=16)
     assert found.peak_to_peak < 1e-12
     np.testing.assert_allclose(found.lead, 0.0, atol=1e-12)
 
@@ -192,7 +192,7 @@ def test_so_it_is_of_teeth_that_vary(given):
     found = transmission_error(pair, **ASKEW, samples=3)
     brute = np.array([greatest_lead(pair, turn, "drive", *ASKEW.values()) for turn in found.pinion_turn])
     assert np.all(brute <= found.lead + 1e-9)
-    assert np.all(brute >= found.lead - 4e-6)
+    assert np.all(brute >= found.lead - 8e-6)  # halved where the grid along the face is
 
 
 @pytest.mark.parametrize("error", ASKEW)

@@ -51,7 +51,7 @@ def keyway_in_roots(corners: float, limit: float, unit: str) -> str:
 def wide_face(cone_distance: float, unit: str) -> str:
     """A bevel gear's face reaches the apex."""
     return (
-        f"more than the cone distance, {cone_distance:.2f} {unit}; 0.3 × cone distance "
+        f"more than the cone distance, {rounded_down(cone_distance)} {unit}; 0.3 × cone distance "
         f"({0.3 * cone_distance:.3g} {unit}) is usual, 0.35 × the most"
     )
 

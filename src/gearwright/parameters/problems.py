@@ -57,11 +57,18 @@ class Problems:
         self._found += [Problem(start + problem.subject, problem.message) for problem in error.problems]
         self._names.add(name)
 
-    def add_members(self, members: Mapping[str, Callable[[], object]], settled: Collection[str] = ()) -> None:
+    def add_members(
+        self,
+        members: Mapping[str, Callable[[], object]],
+        settled: Collection[str] = (),
+        said_here: Mapping[str, Mapping[str, str]] | None = None,
+    ) -> None:
         """Builds members of the element and adds their problems, once where they share them.
 
         Problems of parameters that are already named here are left out, and so are `settled` ones, which
         the element itself sets from a parameter of its own.
+
+        said_here   by a member's parameter that the element does not have: the one it follows from, for each member
         """
         known = {*self._names, *settled}
         found: dict[Problem, list[str]] = {}
@@ -73,10 +80,15 @@ class Problems:
                     found.setdefault(problem, []).append(member)
         for problem, owners in found.items():
             name = problem.subject.split(" = ")[0]
-            if name not in known:
-                prefix = "" if len(owners) == len(members) else f"{owners[0]} "
+            if name in known:
+                continue
+            prefix = "" if len(owners) == len(members) else f"{owners[0]} "
+            own = (said_here or {}).get(name, {}).get(owners[0])
+            if own is None:
                 self._found.append(Problem(prefix + problem.subject, problem.message))
-                self._names.add(name)
+            elif own not in self._names:
+                self.add(own, f"it makes {prefix}{problem.subject.replace('_', ' ')}: {problem.message}")
+            self._names.add(name)
 
     def computable(self, *names: str) -> bool:
         """Whether the named parameters, as far as given, are finite numbers of the right sign or known words.

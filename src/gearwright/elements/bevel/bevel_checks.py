@@ -24,6 +24,11 @@ _OF_THE_SIZES = (
     *("addendum", "dedendum", "addendum_angle", "dedendum_angle", "pressure_angle", "circular_thickness"),
 )
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
+_FLATTEST_PITCH = np.radians(87.0)
+_NO_SUCH_TEETH = (
+    "teeth of these depths have no form all along this face: their tips or roots leave the ends, or the flanks, on the"
+    ' way; a narrower face, depths nearer to the usual ones, or ends = "conical" has such teeth'
+)
 _FLATTEST = np.radians(89.0)  # polar angle beyond which a plane across the axis runs along the teeth
 
 
@@ -41,7 +46,7 @@ def check_given(problems: Problems, gear: BevelGear) -> None:
     """What goes together with what."""
     if gear.standard != "explicit" and gear.mate_teeth is None and problems.sound("standard"):
         problems.add("standard", "sizes a gear for its mate; give mate_teeth (and a shaft angle if it is not 90°)")
-    require_standard(problems, gear.standard, gear.trace, gear.taper)
+    require_standard(problems, gear.standard, gear.spiral_angle, gear.taper)
     if gear.normal_backlash is not None and gear.backlash:
         problems.add("backlash", refusals.said_twice(["normal_backlash"]))
     if problems.sound("tip_relief") and not gear.tip_relief and gear.tip_relief_height is not None:
@@ -70,6 +75,23 @@ def check_face(problems: Problems, gear: BevelGear) -> bool:
     return problems.sound(*_OF_THE_SIZES, *of_the_trace)
 
 
+def check_shape(problems: Problems, gear: BevelGear) -> None:
+    """Teeth, body and the reach of the trace; sizes at which a formula has no value are refused as a whole."""
+    if gear.ends == "flat" and gear.pitch_cone_angle >= _FLATTEST_PITCH:
+        angle = np.degrees(gear.pitch_cone_angle)
+        problems.add(
+            "ends", f"planes across the axis run along the teeth of a pitch cone of {angle:.4g}°; choose conical"
+        )
+        return
+    try:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            check_teeth(problems, gear)
+            check_body(problems, gear)
+            check_reach(problems, gear)
+    except (ValueError, ZeroDivisionError):
+        problems.add("face_width", _NO_SUCH_TEETH)
+
+
 def check_teeth(problems: Problems, gear: BevelGear) -> None:
     """The teeth between their tips and roots."""
     unit, teeth = gear.length_unit, gear.bevel_teeth
@@ -77,11 +99,23 @@ def check_teeth(problems: Problems, gear: BevelGear) -> None:
         problems.add("profile_shift", "leaves no addendum or no dedendum; take one nearer to 0")
         return
     if teeth.least_root_angle <= 0.0:
-        limit = gear.cone_distance * np.tan(gear.pitch_cone_angle)
-        problems.add("dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")
+        # the axis is met at the outer end by cones about the apex, at the inner end by flatter ones
+        sloping = gear.face_width * np.tan(gear.proportions.dedendum_angle)
+        flatter = gear.inner_distance * np.tan(gear.pitch_cone_angle) + sloping
+        limit = flatter if teeth.roots.offset else gear.cone_distance * np.tan(gear.pitch_cone_angle)
+        _add(problems, gear, "dedendum", f"the root cone would pass the axis; less than {rounded_down(limit)} {unit}")
         return
     for name, message in tooth_problems(teeth, gear.proportions.thickness, unit):
-        problems.add(_given_as(name, gear), message)
+        _add(problems, gear, name, message)
+
+
+def _add(problems: Problems, gear: BevelGear, name: str, message: str) -> None:
+    """Adds a problem of a tooth's size to the parameter that gives it; where that is another size, it says so."""
+    given = _given_as(name, gear)
+    if given != name and name in ("addendum", "dedendum"):
+        size = getattr(gear.proportions, name)
+        message = f"it makes {name} = {size:.4g} {gear.length_unit}: {message}"
+    problems.add(given, message)
 
 
 def _given_as(name: str, gear: BevelGear) -> str:

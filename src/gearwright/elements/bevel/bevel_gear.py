@@ -18,7 +18,7 @@ from ..blanks.blank import Blank
 from ..element import Element, module_in, require_one_pitch
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
-from .bevel_checks import check_body, check_cone, check_face, check_given, check_reach, check_teeth
+from .bevel_checks import check_cone, check_face, check_given, check_shape
 from .bevel_sizes import bevel_sizes
 from .body import BevelBody
 from .depth_line import DepthLine
@@ -100,9 +100,7 @@ class BevelGear(Element):
         check_cone(problems, self)
         check_given(problems, self)
         if check_face(problems, self) and is_sized(problems, self):
-            check_teeth(problems, self)
-            check_body(problems, self)
-            check_reach(problems, self)
+            check_shape(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
 

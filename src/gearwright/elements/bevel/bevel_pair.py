@@ -24,7 +24,7 @@ from .spiral import HOBBED, MILLED
 from .spiral_checks import require_spiral
 from .tooth import BevelTooth
 
-_FROM_THE_PAIR = ("addendum_angle", "dedendum_angle", "pitch_angle", "mate_teeth")
+_FROM_THE_PAIR = ("pitch_angle", "mate_teeth")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,11 +92,22 @@ class BevelPair(Pair):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if problems.counted() and check_pair(problems, self) and is_sized(problems, self):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
-            problems.add_members(members, settled=_FROM_THE_PAIR)
+            problems.add_members(members, settled=_FROM_THE_PAIR, said_here=self._said_here)
         require_spiral(problems, self)
         if problems.sound():
             check_engagement(problems, self)
         problems.raise_any()
+
+    @property
+    def _said_here(self) -> dict[str, dict[str, str]]:
+        """Parameters from which the members' heights follow."""
+        if self.standard != "explicit":
+            name = "standard" if self.profile_shift is None else "profile_shift"
+            both = {"pinion": name, "gear": name}
+            return dict.fromkeys(("addendum", "addendum_angle", "dedendum", "dedendum_angle"), both)
+        addenda = {"pinion": "working_depth", "gear": "gear_addendum"}
+        depths = {"pinion": "whole_depth", "gear": "whole_depth"}
+        return {"addendum": addenda, "addendum_angle": addenda, "dedendum": depths, "dedendum_angle": depths}
 
     @property
     def outer_module(self) -> float:

@@ -22,6 +22,7 @@ from ..blanks.pieces import Piece, Zone, assembled, zones
 from .tooth_ends import ToothEnds
 
 Point = tuple[float, float]
+_CLEAR = 1.02  # of the circle around a keyway: what is left of the front face outside it
 _SAME = 1e-9  # of the mounting distance: levels so near to each other were meant to be one
 
 
@@ -54,9 +55,15 @@ class BevelBody:
     @cached_property
     def front_angle(self) -> float:
         """Polar angle at which the front cone ends, radians."""
-        core = self.ends.polar_at_radius(self.blank.core_radius, self.ends.inner)
-        halfway = (self.root_angle + core) / 2.0
-        return max(self.root_angle - float(np.arctan(self.depth / self.ends.outer)), halfway)
+        bore = 0.0 if self.blank.bore is None else self.blank.bore / 2.0
+        wanted = max(self.root_angle - float(np.arctan(self.depth / self.ends.outer)), self._halfway_to(bore))
+        # a keyway changes nothing but what it takes, unless it reaches so far
+        reached = self.ends.polar_at_radius(_CLEAR * self.blank.core_radius, self.ends.inner)
+        return wanted if reached < wanted else self._halfway_to(self.blank.core_radius)
+
+    def _halfway_to(self, radius: float) -> float:
+        """Polar angle on the front cone, halfway from the roots to a distance from the axis."""
+        return (self.root_angle + self.ends.polar_at_radius(radius, self.ends.inner)) / 2.0
 
     @cached_property
     def back_angle(self) -> float:

@@ -13,6 +13,7 @@ from .body import BevelBody
 
 Found = Iterator[tuple[str, str]]
 
+_LEAST_BORE = 1e-5  # of the root diameter: around a smaller one end faces would need millions of triangles
 _CLOSE = 1e-9  # of the mounting distance: as near as levels that were meant to be one
 _BESIDE_THE_BORE = (
     "keyway",
@@ -48,8 +49,8 @@ def _core(body: BevelBody, unit: str) -> Found:
     limit = 2.0 * body.ends.point(body.root_angle, body.ends.inner)[0]
     if blank.bore is not None and blank.bore >= limit:
         yield "bore", refusals.bore_in_roots("root diameter at the small end", limit, unit)
-    elif blank.bore is not None and blank.bore < _CLOSE * limit:
-        yield "bore", refusals.lost_hole(_CLOSE * limit, unit)
+    elif blank.bore is not None and blank.bore < _LEAST_BORE * limit:
+        yield "bore", refusals.lost_hole(_LEAST_BORE * limit, unit)
     elif 2.0 * blank.core_radius >= limit:
         yield name_of_keyway(blank), refusals.keyway_in_roots(2.0 * blank.core_radius, limit, unit)
 
@@ -101,7 +102,7 @@ def _hub_length(body: BevelBody, length: float, unit: str) -> Found:
     low, high = body.web_levels
     wide = body.hub_is_wide
     reached = high if wide else low
-    if body.back < high * (1.0 - _CLOSE):
+    if body.mounting_distance is None and body.back < high * (1.0 - _CLOSE):
         yield (
             "hub_length",
             f"the hub would end inside the body; at least {rounded_up(length + high - body.back)} {unit}",

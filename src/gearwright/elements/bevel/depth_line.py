@@ -37,14 +37,21 @@ class DepthLine:
         return self.height - (self.outer - distance) * float(np.tan(self.angle))
 
     def polar_angle(self, ends: ToothEnds, v: float) -> float:
-        """Polar angle, radians, of the line's point on the level of a parameter (see `Radial`)."""
+        """Polar angle, radians, of the line's point on the level of a parameter (see `Radial`).
+
+        Raises ValueError where the line does not meet the level, or runs along it.
+        """
         gamma, a, t = ends.pitch_angle, self.offset, float(np.tan(self.angle))
         if a == 0.0:
             return gamma + self.angle
         if ends.kind == "conical":
             s = v
         elif ends.kind == "flat":
+            if not np.cos(gamma) > t * np.sin(gamma):
+                raise ValueError("the line of tips or roots runs along the planes that should end it")
             s = (v + a * np.sin(gamma)) / (np.cos(gamma) - t * np.sin(gamma))
         else:
+            if not v * v * (1.0 + t * t) > a * a:
+                raise ValueError("the line of tips or roots does not meet the sphere that should end it")
             s = (np.sqrt(v * v * (1.0 + t * t) - a * a) - a * t) / (1.0 + t * t)
         return float(gamma + np.arctan2(a + s * t, s))

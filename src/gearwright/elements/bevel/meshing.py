@@ -17,9 +17,17 @@ from .tooth import BevelTooth
 
 
 def contact_ratio(pinion: BevelTooth, gear: BevelTooth) -> float:
-    """Transverse contact ratio ε = Σ u_a/(2π sin γ/z), while the flanks last; the same z/sin γ for both."""
-    path = sum(float(tooth.flank.parameter_at(tooth.face_angle)) for tooth in (pinion, gear))
-    return float(path / (2.0 * np.pi * np.sin(pinion.pitch_angle) / pinion.teeth))
+    """Transverse contact ratio ε = Σ u/(2π sin γ/z) to where contact ends; the same z/sin γ for both.
+
+    On either side of the pitch point it ends at the one's tip, or where the other's flank proper begins: above its
+    fillet, which undercut may have raised.
+    """
+    ways = ((pinion, gear), (gear, pinion))
+    path = sum(
+        min(float(one.flank.parameter_at(one.face_angle)), -float(other.flank.parameter_at(other.form_angle)))
+        for one, other in ways
+    )
+    return float(max(path, 0.0) / (2.0 * np.pi * np.sin(pinion.pitch_angle) / pinion.teeth))
 
 
 def overlap_ratio(trace: Trace, inner: float, outer: float, teeth: int) -> float:

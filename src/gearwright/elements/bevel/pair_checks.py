@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...parameters import Problems, declarations, rounded_down
+from ...parameters import Problems, declarations, rounded_down, rounded_up
 from .. import refusals
 from .meshing import interference_limit
 from .pitch_cone import require_cone
 from .sizing import require_standard
+from .spiral import MILLED
 from .tip_paths import cut_depth
 
 if TYPE_CHECKING:
@@ -31,10 +32,12 @@ def check_pair(problems: Problems, pair: BevelPair) -> bool:
     if not (problems.computable(*_OF_THE_CONES) and problems.sound("module")):
         return False
     require_cone(problems, *pair.pitch_cone_angles)
-    require_standard(problems, pair.standard, pair.trace, pair.taper)
+    require_standard(problems, pair.standard, pair.spiral_angle, pair.taper)
     names = [one.name for one in declarations(type(pair))]
     if not problems.sound("shaft_angle") or not problems.computable(*names):
         return False
+    if pair.taper in ("duplex", "tilted") and pair.trace in MILLED and pair.cutter_radius is None:
+        return False  # these tapers follow from the cutter
     if pair.face_width >= pair.cone_distance:
         problems.add("face_width", refusals.wide_face(pair.cone_distance, pair.length_unit))
     if pair.standard == "explicit":
@@ -47,13 +50,14 @@ def _check_depths(problems: Problems, pair: BevelPair) -> None:
     if pair.outer_whole_depth <= pair.outer_working_depth:
         problems.add(
             "whole_depth",
-            f"must be greater than the working depth, {pair.outer_working_depth:.4g} {unit}; "
+            f"must be greater than the working depth, {rounded_up(pair.outer_working_depth)} {unit}; "
             "their difference is the clearance at the root",
         )
     if pair.explicit_gear_addendum >= pair.outer_working_depth:
         problems.add(
             "gear_addendum",
-            f"less than the working depth, {pair.outer_working_depth:.4g} {unit}; the rest is the pinion's addendum",
+            f"less than the working depth, {rounded_down(pair.outer_working_depth)} {unit}; "
+            "the rest is the pinion's addendum",
         )
 
 

@@ -103,12 +103,14 @@ def explicit(
     return tapered(found, taper)
 
 
-def require_standard(problems: Problems, standard: str, trace: str, taper: str | None) -> None:
-    """Adds a problem where teeth are straight and the system is for spiral ones, or the taper another system's."""
-    if standard == "gleason-straight" and trace != "straight":
-        problems.add("standard", 'is for straight teeth; "gleason-spiral" is for those with a spiral angle')
-    if standard == "gleason-spiral" and trace == "straight":
-        problems.add("standard", 'is for teeth with a spiral angle, usually 35°; "gleason-straight" for straight ones')
+def require_standard(problems: Problems, standard: str, spiral_angle: float, taper: str | None) -> None:
+    """Adds a problem where the system is for teeth with a spiral angle and these have none, or the reverse, and where
+    the taper is another system's."""
+    if standard == "gleason-straight" and spiral_angle != 0.0:
+        problems.add("standard", 'is for teeth without spiral angle; "gleason-spiral" is for those with one')
+    if standard == "gleason-spiral" and spiral_angle == 0.0:
+        ways = '"gleason-straight" for those without, zerol ones too'
+        problems.add("standard", f"is for teeth with a spiral angle, usually 35°; {ways}")
     if standard in ("explicit", "equal-addendum") and taper in ("duplex", "tilted"):
         problems.add("taper", 'is found by standard = "iso-23509"; with this one it is "standard" or "uniform"')
 

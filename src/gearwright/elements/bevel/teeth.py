@@ -90,6 +90,11 @@ class BevelTeeth:
         return float(lowered / (s * self._lever))
 
     @property
+    def most_crowning(self) -> float:
+        """Lead crowning that leaves nothing of a tooth on the pitch cone at its inner end, length."""
+        return self.thickness / 2.0 * self.ends.inner * self._lever
+
+    @property
     def _lever(self) -> float:
         """sin γ cos a: what a flank is moved by along its normal as it turns about the axis, on the unit sphere."""
         return float(np.sin(self.pitch_angle) * np.cos(self.pressure_angle))

@@ -84,7 +84,7 @@ def _on_the_way(teeth: BevelTeeth) -> Iterator[tuple[str, str]]:
 
 def _of_one(teeth: BevelTeeth, tooth: BevelTooth, distance: float, nominal: float, unit: str) -> Found:
     if tooth.thickness <= 0.0:
-        yield "crowning", "leaves no tooth; a smaller one does", _NONE
+        yield "crowning", f"leaves no tooth; less than {rounded_down(teeth.most_crowning)} {unit}", _NONE
         return
     if tooth.face_angle <= tooth.flank_start:
         yield "addendum", _NO_FLANK, _NONE

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....errors import ParameterError, Problem
+from ....parameters import rounded_up
 from .design import BevelDesign
 from .proportions import DepthTaper
 
@@ -51,7 +52,7 @@ def duplex_sum(design: BevelDesign) -> float:
             [
                 Problem(
                     f"cutter_radius {given}",
-                    f"at least R_m sin β_m, {along:.6g}, for slots of one width; with a smaller one teeth would grow "
+                    f"at least R_m sin β_m, {rounded_up(along)}, for slots of one width; with less, teeth would grow "
                     'deeper inwards: take taper "standard" or "uniform"',
                 )
             ],
