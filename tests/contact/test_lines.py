@@ -11,6 +11,7 @@ from gearwright.contact.mesh import mesh_of
 from gearwright.contact.path import ContactPath
 from gearwright.curves.traces.trace import Trace
 from gearwright.elements.bevel.bevel_pair import BevelPair
+from gearwright.errors import GeometryError
 
 from .octoid import with_octoids
 from .test_transmission import BASIC, PAIRS, SPIRAL, every_pair, every_side
@@ -192,3 +193,11 @@ def test_an_arched_tooth_touches_alike_on_both_arms():
     cut = [line for turn in TURNS for line in lines_at(path, np.radians(turn)) if np.ptp(line.distance) < 9.0]
     assert any(line.distance[-1] < path.mesh.pinion.trace.middle for line in cut)
     assert any(line.distance[0] > path.mesh.pinion.trace.middle for line in cut)
+
+
+@pytest.mark.parametrize(
+    "given", [{"turn": float("nan")}, {"turn": float("inf")}, {"turn": 0.0, "samples": 1}], ids=str
+)
+def test_what_is_no_turn_or_no_line_is_refused(given):
+    with pytest.raises(GeometryError, match="finite turn in degrees and at least 2 points"):
+        contact_lines(BevelPair(**BASIC), **given)

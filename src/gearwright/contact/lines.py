@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..elements.bevel.bevel_pair import BevelPair
+from ..errors import GeometryError, Problem
 from .mesh import Side, mesh_of
 from .path import ContactPath
 from .search import stretches
@@ -45,7 +46,15 @@ class ContactRatios:
 def contact_lines(
     pair: BevelPair, turn: float = 0.0, *, side: Side = "drive", samples: int = 33
 ) -> tuple[ContactLine, ...]:
-    """All lines of contact with the pinion turned by so many degrees, each with so many points, axes as designed."""
+    """All lines of contact with the pinion turned by so many degrees, each with so many points, axes as designed.
+
+    Raises GeometryError where the turn is none, or points are too few for a line.
+    """
+    if not (np.isfinite(turn) and samples >= 2):
+        given = Problem(
+            f"turn = {turn}, samples = {samples}", "a finite turn in degrees and at least 2 points are needed"
+        )
+        raise GeometryError("Lines of contact cannot be found", [given])
     return lines_at(ContactPath(mesh=mesh_of(pair), side=side), float(np.radians(turn)), samples)
 
 

@@ -85,6 +85,7 @@ def running_error(
     all_turns = sense * turns[:, None] + mesh.pitch * teeth
     touch = Approach(mesh=mesh, side=side, misalignment=misalignment).touch(all_turns.ravel())
     lead = touch.lead.reshape(all_turns.shape)
+    lead = np.where(np.abs(lead) < np.pi / mesh.gear.teeth, lead, -np.inf)  # half a pitch off it is another tooth's
     first, rows = np.argmax(lead, axis=1), np.arange(samples)
     if not np.all(np.isfinite(lead[rows, first])):
         where = float(np.degrees(turns[np.argmin(lead[rows, first])]))

@@ -197,3 +197,85 @@ def test_a_pair_s_members_are_sound_when_the_pair_is():
     for part in (pair.pinion, pair.gear):
         assert np.isclose(part.proportions.addendum_angle, 0.0)
         assert part.boundary.patches
+
+
+NO_TEETH = [
+    (
+        BevelGear,
+        {"teeth": 20, "mate_teeth": 10, "face_width": 10.0, "taper": "uniform", "ends": "spherical"},
+        "face_width",
+    ),
+    (
+        BevelGear,
+        {
+            "teeth": 36,
+            "pitch_angle": 90.0,
+            "face_width": 15.087,
+            "ends": "spherical",
+            "root": "radial",
+            "tooth_form": "octoid",
+            "dedendum_angle": 15.34656,
+        },
+        "face_width",
+    ),
+    (BevelGear, {"teeth": 39, "pitch_angle": 90.0, "face_width": 8.0, "ends": "flat"}, "ends"),
+    (BevelGear, {"teeth": 20, "mate_teeth": 40, "face_width": 6.0, "bore": 1e-7}, "bore"),
+    (
+        BevelPair,
+        {"teeth": (3, 3), "module": 1.25, "whole_depth": 4.0, "face_width": 0.59, "root": "radial"},
+        "whole_depth",
+    ),
+]
+
+
+@pytest.mark.parametrize(("element", "given", "name"), NO_TEETH, ids=str)
+def test_sizes_far_from_any_gear_s_are_refused_as_parameters(element, given, name):
+    with pytest.raises(ParameterError) as refusal:
+        element(**{"module": 1.0, **given})
+    assert refusal.value.element == element.__name__
+    assert [problem.subject.split(" ")[0] for problem in refusal.value.problems] == [name]
+
+
+@pytest.mark.parametrize(
+    ("more", "names"),
+    [
+        ({"pressure_angle": 40.0}, {"working_depth", "gear_addendum"}),
+        ({"pressure_angle": 35.0}, {"whole_depth"}),
+        ({"pressure_angle": 40.0, "standard": "equal-addendum"}, {"standard"}),
+        ({"pressure_angle": 40.0, "standard": "equal-addendum", "profile_shift": 0.1}, {"profile_shift"}),
+    ],
+    ids=str,
+)
+def test_pairs_are_told_of_parameters_that_they_have(more, names):
+    found = problems_of(PAIR, more)
+    assert {subject.split(" ")[0] for subject in found} == names
+    assert all("it makes" in message and "mm: the" in message for message in found.values())
+
+
+def test_contact_ends_where_undercut_does():
+    """Of 8 and 40 teeth: 1.61 from tip to tip, 0.90 of it on flanks that are there; the pair says so."""
+    pair = BevelPair(teeth=(8, 40), module=3.0, face_width=14.0)
+    assert pair.sizes()["contact_ratio"].value == pytest.approx(0.90033, abs=1e-5)
+    assert any("contact ratio is 0.9" in remark for remark in pair.remarks)
+    assert any("8 teeth are undercut" in remark for remark in pair.remarks)
+
+
+def test_a_keyway_takes_its_slot_and_nothing_else():
+    given = {**GEAR, "bore": 20.0, "mounting_distance": 60.0, "hub_diameter": 34.0}
+    plain, keyed = BevelGear(**given), BevelGear(**given, keyway="din-6885")
+    assert plain.body.front == keyed.body.front
+    sizes = keyed.sizes()
+    width, radius = sizes["keyway_width"].value, 10.0
+    floor = radius + sizes["keyway_depth"].value
+    # the rectangle from the floor to the bore's chord, less the segment between chord and bore
+    chord = np.sqrt(radius**2 - width**2 / 4.0)
+    segment = radius**2 * np.arcsin(width / 2.0 / radius) - width / 2.0 * chord
+    slot = (width * (floor - chord) - segment) * (keyed.body.back - keyed.body.front)
+    assert plain.properties().volume - keyed.properties().volume == pytest.approx(slot, rel=1e-9)
+
+
+def test_zerol_teeth_take_gleasons_proportions_for_straight_ones():
+    zerol = {"trace": "circular", "cutter_radius": 60.0, "standard": "gleason-straight"}
+    assert builds(PAIR, zerol)
+    (message,) = problems_of(PAIR, {**zerol, "standard": "gleason-spiral"}).values()
+    assert "gleason-straight" in message
