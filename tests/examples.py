@@ -116,6 +116,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "trace": "circular",
             "cutter_radius": 40.0,
             "hand": "left",
+            "bore": 12.0,
         },
         "epicycloid": {
             "teeth": 14,
@@ -126,6 +127,7 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "spiral_angle": 30.0,
             "cutter_radius": 55.0,
             "blade_groups": 5,
+            "bore": 11.0,
         },
         "three teeth, down to near the apex": {
             "teeth": 3,
@@ -149,8 +151,15 @@ EXAMPLES: dict[str, dict[str, dict[str, Any]]] = {
             "spiral_angle": 35.0,
             "cutter_radius": 50.0,
             "hand": "left",
+            "bore": 14.0,
         },
-        "20/40 Gleason": {"teeth": (20, 40), "module": 3.0, "face_width": 20.0, "standard": "gleason-straight"},
+        "20/40 Gleason": {
+            "teeth": (20, 40),
+            "module": 3.0,
+            "face_width": 20.0,
+            "standard": "gleason-straight",
+            "bore": 12.0,
+        },
         "Σ 60°, spiral left, bored": {
             "teeth": (18, 27),
             "module": 3.0,

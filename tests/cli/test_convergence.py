@@ -40,7 +40,7 @@ def test_a_pair_has_both_members_in_one_plot(run, pair_options, tmp_path):
     outcome = run("bevel", *pair_options, "--convergence", file, "--json")
     assert outcome.code == 0, outcome.err
     assert f"wrote {file}" in outcome.err
-    pair = gw.BevelPair(teeth=(16, 20), module=4.0, face_width=15.0)
+    pair = gw.BevelPair(teeth=(16, 20), module=4.0, face_width=15.0, root="radial", ends="spherical")
     studies = [
         study(member)
         for member in (pair.pinion, pair.gear)

@@ -34,7 +34,7 @@ def test_json_of_a_pair_and_of_one_of_its_members(run, pair_options):
     assert set(pair) == {"pinion", "gear", "pair"}
     assert set(pair["gear"]) == {"parameters", "sizes", "placement", "properties"}
     assert pair["pair"]["parameters"]["teeth"] == [16, 20]
-    options = "--teeth 20 --mate-teeth 16 --module 4 --face-width 15".split()
+    options = "--teeth 20 --mate-teeth 16 --module 4 --face-width 15 --root radial --ends spherical".split()
     single = json.loads(run("bevel", *options, "--json").out)
     assert single["properties"]["volume"] == pytest.approx(pair["gear"]["properties"]["volume"], rel=1e-14)
     assert single["placement"] == np.eye(4).tolist()
@@ -46,7 +46,7 @@ def test_json_of_a_pair_and_of_one_of_its_members(run, pair_options):
 
 def test_json_numbers_are_complete(run, pair_options):
     found = json.loads(run("bevel", *pair_options, "--json").out)
-    element = gearwright.BevelPair(teeth=(16, 20), module=4.0, face_width=15.0)
+    element = gearwright.BevelPair(teeth=(16, 20), module=4.0, face_width=15.0, root="radial", ends="spherical")
     assert found["pinion"]["properties"]["volume"] == element.pinion.properties().volume
     assert found["pinion"]["properties"]["mass_unit"] == "mm^3"
 
@@ -94,7 +94,9 @@ def test_common_options_are_refused_together_with_the_others(run):
 
 
 def test_what_is_unusual_is_noted(run):
-    options = "--teeth 16 20 --diametral-pitch 2 --working-depth 0.8 --whole-depth 0.85 --face-width".split()
+    options = (
+        "--teeth 16 20 --diametral-pitch 2 --working-depth 0.8 --whole-depth 0.85 --root radial --face-width".split()
+    )
     outcome = run("bevel", *options, "30")
     assert outcome.code == 0
     assert "note: --working-depth = 0.8 mm is 0.063 modules of 12.7 mm; about 2 is usual" in outcome.err

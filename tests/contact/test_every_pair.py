@@ -51,8 +51,10 @@ def runs_true(pair):
         if not error:
             np.testing.assert_allclose(found.lead, -pair.backlash / 2.0 / pair.gear.pitch_radius, atol=1e-12)
     expected = _ratio_above_fillets(pair)
+    assert pair.sizes()["contact_ratio"].value == pytest.approx(expected, rel=1e-13)
     # where a fillet ends the contact, at the very foot of a flank, slopes are quotients of roundings
-    at_foot = expected < pair.sizes()["contact_ratio"].value - 1e-9
+    tips = sum(float(one.flank.parameter_at(one.face_angle)) for one in pair.teeth_on_sphere(pair.pinion.mean_distance))
+    at_foot = expected < tips / (2.0 * np.pi * np.sin(pair.pinion.pitch_cone_angle) / pair.teeth[0]) - 1e-9
     assert contact_ratios(pair).transverse == pytest.approx(expected, abs=1e-7 if at_foot else 1e-10)
 
 

@@ -22,7 +22,7 @@ from gearwright.elements.standards.iso_53 import BASIC_RACKS
 from gearwright.elements.sweep import Sweep
 from gearwright.errors import ParameterError
 
-from ..examples import EXAMPLES
+from ..examples import EXAMPLES, SHARP
 from ..laws.topology import edges_pair_up, fans_at_vertices
 
 run = settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
@@ -376,6 +376,7 @@ def test_few_teeth_around_a_bore(teeth, bore):
         (
             BevelGear,
             {
+                **SHARP,
                 "teeth": 3,
                 "module": 1.0,
                 "pitch_angle": 3.0,
@@ -387,6 +388,7 @@ def test_few_teeth_around_a_bore(teeth, bore):
         (
             BevelGear,
             {
+                **SHARP,
                 "teeth": 4,
                 "diametral_pitch": 2.113226323374023,
                 "pressure_angle": 18.109035818894796,
@@ -399,6 +401,7 @@ def test_few_teeth_around_a_bore(teeth, bore):
         (
             BevelGear,
             {
+                **SHARP,
                 "teeth": 24,
                 "mate_teeth": 38,
                 "shaft_angle": 116.27378367019209,
@@ -411,6 +414,7 @@ def test_few_teeth_around_a_bore(teeth, bore):
         (
             BevelGear,
             {
+                **SHARP,
                 "teeth": 16,
                 "mate_teeth": 54,
                 "diametral_pitch": 8.863254062643028,

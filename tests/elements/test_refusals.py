@@ -106,7 +106,7 @@ SINGLE_VALUES = [
 ]
 
 TOGETHER = [
-    (BevelGear, {"face_width": 60.0}, "face_width = 60 mm", ("cone distance, 56.57 mm", "17 mm", "usual", "the most")),
+    (BevelGear, {"face_width": 60.0}, "face_width = 60 mm", ("cone distance, 56.56 mm", "17 mm", "usual", "the most")),
     (BevelPair, {"face_width": 60.0}, "face_width = 60 mm", ("cone distance, 51.22 mm",)),
     (SpurGear, {"addendum": 20.0}, "addendum = 20 mm", ("comes to a point", "less than", "thicker tooth")),
     (BevelGear, {"addendum": 20.0}, "addendum = 20 mm", ("comes to a point", "less than", "thicker tooth")),

@@ -63,15 +63,15 @@ def test_on_nearly_parallel_axes_bevel_gears_are_cylindrical_ones(spiral):
 @pytest.mark.parametrize("teeth", [(16, 20), (20, 40), (25, 60)])
 @pytest.mark.parametrize("shaft", [60.0, 90.0])
 def test_virtual_gears_come_near_to_teeth_on_the_sphere(teeth, shaft):
-    """Tredgold's approximation is good to 3 in a thousand for contact ratios, to 5 thousandths of a module for tips."""
+    """Tredgold's approximation is good to 3 in a thousand for contact ratios, to 6.5 thousandths of a module for tips."""
     given = design(teeth, 2.0, shaft, 8.0)
     members = bevel_members(given, equal_addendum(given))
-    exact = gw.BevelPair(teeth=teeth, module=2, shaft_angle=shaft, face_width=8)
+    exact = gw.BevelPair(teeth=teeth, module=2, shaft_angle=shaft, face_width=8, root="radial")
     ratio = values(pair_sizes(*members))["contact_ratio"]
     assert ratio == pytest.approx(contact_ratio(exact.pinion.tooth, exact.gear.tooth), rel=3e-3)
     for member, gear in zip(members, (exact.pinion, exact.gear), strict=True):
         mine, theirs = values(tooth_sizes(member)), values(gear.sizes())
-        assert mine["tip_thickness"] == pytest.approx(theirs["tip_thickness"], abs=0.005 * 2.0)
+        assert mine["tip_thickness"] == pytest.approx(theirs["tip_thickness"], abs=0.0065 * 2.0)
         tooth, pitch = gear.tooth, gear.pitch_radius
         chord = 2.0 * pitch * np.sin(tooth.thickness / 2.0)
         assert mine["chordal_thickness"] == pytest.approx(chord, rel=1e-12)
