@@ -10,7 +10,7 @@ from ...parameters import Problems, declarations, rounded_down
 from .. import refusals
 from .body_checks import body_problems
 from .pitch_cone import require_cone
-from .sizing import require_standard
+from .sizing import giving_depths, require_standard
 from .spiral import spiral_of
 from .spiral_checks import require_reach
 from .tooth_checks import tooth_problems
@@ -24,11 +24,11 @@ _OF_THE_SIZES = (
     *("addendum", "dedendum", "addendum_angle", "dedendum_angle", "pressure_angle", "circular_thickness"),
 )
 _LEAST_INNER = 1e-6  # of the cone distance: nearer to the apex there is only rounding
-_FLATTEST_PITCH = np.radians(87.0)
 _NO_SUCH_TEETH = (
     "teeth of these depths have no form all along this face: their tips or roots leave the ends, or the flanks, on the"
     ' way; a narrower face, depths nearer to the usual ones, or ends = "conical" has such teeth'
 )
+_FLATTEST_PITCH = np.radians(87.0)
 _FLATTEST = np.radians(89.0)  # polar angle beyond which a plane across the axis runs along the teeth
 
 
@@ -121,7 +121,7 @@ def _add(problems: Problems, gear: BevelGear, name: str, message: str) -> None:
 def _given_as(name: str, gear: BevelGear) -> str:
     """The parameter by which a size of the tooth was given."""
     if name in ("addendum", "dedendum") and gear.standard != "explicit":
-        return "profile_shift" if gear.profile_shift is not None else "standard"
+        return giving_depths(gear)
     if name == "backlash" and gear.normal_backlash is not None:
         return "normal_backlash"
     return name

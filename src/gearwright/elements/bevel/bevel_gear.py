@@ -19,7 +19,7 @@ from ..element import Element, module_in, require_one_pitch
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
 from .bevel_checks import check_cone, check_face, check_given, check_shape
-from .bevel_sizes import bevel_sizes
+from .bevel_sizes import bevel_sizes, outer_tip_thickness
 from .body import BevelBody
 from .depth_line import DepthLine
 from .pitch_cone import pitch_cone_angle
@@ -286,7 +286,7 @@ class BevelGear(Element):
     def tooth_remarks(self) -> list[str]:
         """What is unusual about the shape of its teeth."""
         return [
-            *remarks.thin_tip(self.sizes()["tip_thickness"].value, self.outer_module, self.length_unit),
+            *remarks.thin_tip(outer_tip_thickness(self), self.outer_module, self.length_unit),
             *(remarks.undercut_by_crown(self.teeth) if self.bevel_teeth.undercut else []),
         ]
 

@@ -16,7 +16,7 @@ from ..pair import Pair
 from ..standards.bevels.proportions import Pair as Proportions
 from .bevel_gear import BevelGear
 from .meshing import contact_ratio, meshing_placements
-from .pair_checks import check_engagement, check_pair
+from .pair_checks import check_engagement, check_pair, given_by
 from .pair_sizes import bevel_pair_sizes
 from .pitch_cone import pitch_cone_angle
 from .sizing import EXPLICIT, ISO, SHIFTED, SYSTEMS, TAPERED, Sizing, design_of, explicit, is_sized, taper_of
@@ -92,22 +92,11 @@ class BevelPair(Pair):
         require_one_pitch(problems, self.module, self.diametral_pitch)
         if problems.counted() and check_pair(problems, self) and is_sized(problems, self):
             members = {"pinion": lambda: self.pinion, "gear": lambda: self.gear}
-            problems.add_members(members, settled=_FROM_THE_PAIR, said_here=self._said_here)
+            problems.add_members(members, settled=_FROM_THE_PAIR, said_here=given_by(self))
         require_spiral(problems, self)
         if problems.sound():
             check_engagement(problems, self)
         problems.raise_any()
-
-    @property
-    def _said_here(self) -> dict[str, dict[str, str]]:
-        """Parameters from which the members' heights follow."""
-        if self.standard != "explicit":
-            name = "standard" if self.profile_shift is None else "profile_shift"
-            both = {"pinion": name, "gear": name}
-            return dict.fromkeys(("addendum", "addendum_angle", "dedendum", "dedendum_angle"), both)
-        addenda = {"pinion": "working_depth", "gear": "gear_addendum"}
-        depths = {"pinion": "whole_depth", "gear": "whole_depth"}
-        return {"addendum": addenda, "addendum_angle": addenda, "dedendum": depths, "dedendum_angle": depths}
 
     @property
     def outer_module(self) -> float:

@@ -27,6 +27,12 @@ def bevel_sizes(gear: BevelGear) -> dict[str, Size]:
     }
 
 
+def outer_tip_thickness(gear: BevelGear) -> float:
+    """s_ae, circular, at the tip of the outer end."""
+    tooth, ends = gear.bevel_teeth.outer, gear.tooth_ends
+    return 2.0 * tooth.tip_half * ends.point(tooth.face_angle, ends.outer)[0]
+
+
 def _own_lengths(gear: BevelGear) -> dict[str, tuple[float, str, str]]:
     ends, teeth = gear.tooth_ends, gear.bevel_teeth
     outer, inner, crown = (
@@ -40,7 +46,6 @@ def _own_lengths(gear: BevelGear) -> dict[str, tuple[float, str, str]]:
     widest = (
         outer[0] if teeth.outer.face_angle <= np.pi / 2.0 else max(outer[0], ends.point(np.pi / 2.0, ends.outer)[0])
     )
-    tip = 2.0 * teeth.outer.tip_half * outer[0]
     rows = {
         "outside_diameter": (2.0 * widest, "d_ae", "largest diameter of the body"),
         "root_diameter": (2.0 * crown[0], "d_fe", "outer root diameter"),
@@ -48,7 +53,7 @@ def _own_lengths(gear: BevelGear) -> dict[str, tuple[float, str, str]]:
         "crown_to_apex": (outer[1], "X", "along the axis from the apex to the outer tips"),
         "axial_face_width": (outer[1] - inner[1], "X_b", "along the axis from the inner to the outer tips"),
         "circular_thickness": (gear.outer_thickness, "s_e", "outer circular thickness, backlash taken off"),
-        "tip_thickness": (tip, "s_ae", "outer circular thickness at the tip"),
+        "tip_thickness": (outer_tip_thickness(gear), "s_ae", "outer circular thickness at the tip"),
     }
     if not gear.body.plain and gear.ends != "spherical":
         back = gear.body.back

@@ -10,7 +10,7 @@ from ...parameters import Problems, declarations, rounded_down, rounded_up
 from .. import refusals
 from .meshing import interference_limit
 from .pitch_cone import require_cone
-from .sizing import require_standard
+from .sizing import giving_depths, require_standard
 from .spiral import MILLED
 from .tip_paths import cut_depth
 
@@ -61,6 +61,21 @@ def _check_depths(problems: Problems, pair: BevelPair) -> None:
         )
 
 
+def given_by(pair: BevelPair) -> dict[str, dict[str, str]]:
+    """By a member's parameter and the member's name: the pair's own parameter that it follows from."""
+    if pair.standard == "explicit":
+        addenda, depths = ("working_depth", "gear_addendum"), ("whole_depth", "whole_depth")
+    else:
+        addenda = depths = (giving_depths(pair), giving_depths(pair))
+    of_addenda, of_depths = (dict(zip(_NAMES, names, strict=True)) for names in (addenda, depths))
+    return {
+        "addendum": of_addenda,
+        "addendum_angle": of_addenda,
+        "dedendum": of_depths,
+        "dedendum_angle": of_depths,
+    }
+
+
 def check_engagement(problems: Problems, pair: BevelPair) -> None:
     """Tips must run clear of the mate's roots, and both teeth fit into the pitch."""
     pitch = np.pi * pair.outer_module
@@ -82,9 +97,7 @@ def _own_name(pair: BevelPair, member: int) -> str:
     """The parameter that keeps a member's tips away: what gives it its addendum, or the play where forms differ."""
     if pair.pinion.tooth_form != pair.gear.tooth_form:
         return "backlash" if pair.normal_backlash is None else "normal_backlash"
-    if pair.standard == "explicit":
-        return "working_depth" if member == 0 else "gear_addendum"
-    return "standard" if pair.profile_shift is None else "profile_shift"
+    return given_by(pair)["addendum"][_NAMES[member]]
 
 
 def _interference(pair: BevelPair, member: int) -> str | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import ParameterError
 from ...parameters import Problems
-from ..standards.bevels.depth_data import DepthData, usual_depth_data
+from ..standards.bevels.depth_data import DepthData, depth_data_of
 from ..standards.bevels.design import BevelDesign
 from ..standards.bevels.equal_addendum import equal_addendum
 from ..standards.bevels.gleason import gleason_spiral, gleason_straight
@@ -79,7 +79,7 @@ class Sizing:
     def _depths(self, design: BevelDesign) -> DepthData | None:
         if self.profile_shift is None and not self.thickness_modification:
             return None
-        usual = usual_depth_data(design) if (self.method or 0) in (0, 1) else DepthData()
+        usual = depth_data_of(self.method or 0, design)
         shift = usual.profile_shift if self.profile_shift is None else self.profile_shift
         return replace(usual, profile_shift=shift, thickness_modification=self.thickness_modification)
 
@@ -87,6 +87,11 @@ class Sizing:
 def tapered(proportions: Proportions, taper: DepthTaper | None) -> Proportions:
     """Proportions that go with the cone distance, or those of the same outer heights that do not."""
     return replace(proportions, addendum_angle=0.0, dedendum_angle=0.0) if taper == "uniform" else proportions
+
+
+def giving_depths(element: BevelGear | BevelPair) -> str:
+    """The parameter from which an element with a standard has its depths."""
+    return "standard" if element.profile_shift is None else "profile_shift"
 
 
 def explicit(

@@ -57,10 +57,6 @@ class BevelTeeth:
         inner, outer = self.ends.inner, self.ends.outer
         return self.ends.parameter(inner + _PLACES[place] * (outer - inner))
 
-    def pitch_distance(self, v: float) -> float:
-        """s from the apex along the pitch line, of the level of a parameter."""
-        return v / float(np.cos(self.pitch_angle)) if self.ends.kind == "flat" else v
-
     def tooth(self, v: float) -> BevelTooth:
         """The tooth on the level of a parameter, as it looks from the apex."""
         face, root = self.tips.polar_angle(self.ends, v), self.roots.polar_angle(self.ends, v)
@@ -84,7 +80,7 @@ class BevelTeeth:
 
     def _crown(self, v: float) -> float:
         """Angle by which each flank is turned into the tooth, about the axis."""
-        s = self.pitch_distance(v)
+        s = self.ends.pitch_distance(v)
         inner, outer = self.ends.inner, self.ends.outer
         lowered = self.crowning * (2.0 * (s - (inner + outer) / 2.0) / (outer - inner)) ** 2
         return float(lowered / (s * self._lever))

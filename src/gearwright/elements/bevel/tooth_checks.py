@@ -62,7 +62,7 @@ def tooth_problems(teeth: BevelTeeth, nominal_thickness: float, unit: str) -> li
     found: dict[str, tuple[float, str]] = {}
     for place, tooth in teeth.looked_at.items():
         where = "" if place == "outer" else f" (at the {place} end)" if place == "inner" else " (at mid-face)"
-        distance = teeth.pitch_distance(teeth.level(place))
+        distance = teeth.ends.pitch_distance(teeth.level(place))
         for name, message, limit in _of_one(teeth, tooth, distance, nominal_thickness, unit):
             if name not in found or limit < found[name][0]:
                 found[name] = limit, message + where

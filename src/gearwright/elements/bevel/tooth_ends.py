@@ -40,6 +40,10 @@ class ToothEnds:
         """v of the level through the pitch line at a distance from the apex."""
         return float(pitch_distance * np.cos(self.pitch_angle)) if self.kind == "flat" else pitch_distance
 
+    def pitch_distance(self, v: float) -> float:
+        """Distance from the apex along the pitch line of the level of a parameter: inverse of `parameter`."""
+        return float(v / np.cos(self.pitch_angle)) if self.kind == "flat" else v
+
     @property
     def ends(self) -> Ends:
         return between(self.parameter(self.inner), self.parameter(self.outer))

@@ -55,6 +55,11 @@ def usual_depth_data(design: BevelDesign) -> DepthData:
     return depth_data(gear_addendum=of_second)
 
 
+def depth_data_of(method: int, design: BevelDesign) -> DepthData:
+    """What a method of ISO 23509 takes by itself: usual_depth_data for 0 and 1, DepthData() for 2 and 3."""
+    return usual_depth_data(design) if method in (0, 1) else DepthData()
+
+
 def strength_thickness_factor(design: BevelDesign) -> float:
     """k_t = −0.088 + 0.092u − 0.004u² + 0.0016(z₁ − 30)(u − 1) of the pinion: teeth of about equal bending strength.
 

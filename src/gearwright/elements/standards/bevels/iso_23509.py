@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from ....errors import ParameterError, Problem
-from .depth_data import DepthData, usual_depth_data
+from .depth_data import DepthData, depth_data_of
 from .design import BevelDesign
 from .proportions import DepthTaper, Pair, Proportions
 from .tapers import dedendum_angles
@@ -35,7 +35,7 @@ def iso_23509(
     taper = _usual_taper(design, method) if taper is None else taper
     _require_method(design, method, taper)
     if depths is None:
-        depths = usual_depth_data(design) if method in (0, 1) else DepthData()
+        depths = depth_data_of(method, design)
     module, shift = design.mean_normal_module, depths.profile_shift
     addenda = ((depths.addendum + shift) * module, (depths.addendum - shift) * module)
     dedenda = ((depths.dedendum - shift) * module, (depths.dedendum + shift) * module)
