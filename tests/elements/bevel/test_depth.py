@@ -247,3 +247,14 @@ def test_relief_goes_with_depth_along_the_face(form, shape):
         thinner = (tooth.tip_half - other.tip_half) * np.sin(tooth.face_angle) * np.cos(np.radians(20.0))
         assert thinner == pytest.approx(0.03 / plain.cone_distance, rel=0.2)
         assert other.half_angle(plain.pitch_cone_angle) == pytest.approx(tooth.half_angle(plain.pitch_cone_angle))
+
+
+@pytest.mark.parametrize(("height", "slope"), [(4.0, 3.0), (-5.0, -2.5), (4.0, 0.0)])
+def test_heights_along_a_line_are_those_of_its_points_between_cones(height, slope):
+    """h(s) = s tan(δ − γ) on the cone perpendicular to the pitch cone at s, and the offset at the apex."""
+    line = DepthLine(outer=50.0, height=height, angle=np.radians(slope))
+    ends = ToothEnds(kind="conical", pitch_angle=0.7, inner=35.0, outer=50.0)
+    assert line.height_at(50.0) == height
+    assert line.height_at(0.0) == pytest.approx(line.offset, abs=1e-14)
+    for s in (35.0, 41.0):
+        assert line.height_at(s) == pytest.approx(s * np.tan(line.polar_angle(ends, s) - 0.7), rel=1e-13)
