@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from importlib import import_module
-from typing import Any, Literal
+from typing import Literal
 
-Source = str
-"""Where a thing is loaded from: "package.module:name"."""
+from .files.formats import FILE_FORMATS, FileFormat
+from .sources import Source, load
 
-
-def load(source: Source) -> Any:
-    """What an entry's source names, imported now."""
-    module, name = source.split(":")
-    return getattr(import_module(module), name)
+__all__ = ["ELEMENTS", "FILE_FORMATS", "MOTIONS", "Element", "FileFormat", "Motion", "Source", "load"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,17 +44,6 @@ class Motion:
     name: str
     summary: str
     source: Source
-
-
-@dataclass(frozen=True, kw_only=True)
-class FileFormat:
-    """A kind of file, by its suffix; None where it is not written or not read."""
-
-    name: str
-    summary: str
-    suffix: str
-    writer: Source | None = None
-    reader: Source | None = None
 
 
 ELEMENTS = (
@@ -194,15 +178,5 @@ MOTIONS = (
         name="radial",
         summary="a section of the sphere swept from the apex, turning as a tooth trace says",
         source="gearwright.motions.radial:Radial",
-    ),
-)
-
-FILE_FORMATS = (
-    FileFormat(
-        name="STL",
-        summary="triangles, binary or text",
-        suffix=".stl",
-        writer="gearwright.files.stl:write",
-        reader="gearwright.files.stl:read",
     ),
 )

@@ -39,7 +39,7 @@ def test_json_has_a_line_for_each_file(run, box):
 def test_a_unit_against_the_file_s_own_is_refused(run, box):
     outcome = run("properties", box, "--length-unit", "in")
     assert outcome.code == 2
-    assert "its header says that lengths are in mm, not in" in outcome.err
+    assert "it says itself that lengths are in mm, not in" in outcome.err
 
 
 def test_a_file_without_a_unit_takes_the_one_asked_for(run, box):

@@ -142,7 +142,7 @@ class Outputs:
 
     def problems(self, kind: catalog.Element) -> list[Problem]:
         """What is wrong with these options, for an element of a kind."""
-        written = [f.suffix for f in catalog.FILE_FORMATS if f.writer]
+        written = [suffix for f in catalog.FILE_FORMATS if f.writer for suffix in f.suffixes]
         file = self.output if self.output is not None and self.output.suffix else None
         files = {
             "output": self.output,

@@ -9,8 +9,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter as Option
 
 from ..errors import FileError, GearwrightError
-from ..files.stl import stated_unit
-from ..solids.polyhedron import Polyhedron
+from ..solids.model import Model
 from ..solids.properties import MassProperties
 from .built import Units, units_and_density
 from .common_options import DENSITY, DENSITY_HELP, require_sound
@@ -37,8 +36,9 @@ def properties(
     worst = DONE
     for file in files:
         try:
-            polyhedron = Polyhedron.load(file)
-            units, kernel_density = units_and_density(_unit(file, length_unit), density)
+            model = Model.load(file)
+            polyhedron = model.polyhedron
+            units, kernel_density = units_and_density(_unit(file, model.length_unit, length_unit), density)
             found = polyhedron.properties(kernel_density)
             for remark in polyhedron.validity().remarks:
                 print(f"note: {file}: {remark}", file=sys.stderr)
@@ -49,11 +49,10 @@ def properties(
     return worst
 
 
-def _unit(file: Path, asked: str | None) -> str:
+def _unit(file: Path, stated: str | None, asked: str | None) -> str:
     """The unit that the file states, else the one asked for, else mm. Raises FileError where they differ."""
-    stated = stated_unit(file)
     if stated and asked and stated != asked:
-        raise FileError(f"{file}: its header says that lengths are in {stated}, not {asked}; leave out --length-unit")
+        raise FileError(f"{file}: it says itself that lengths are in {stated}, not {asked}; leave out --length-unit")
     return stated or asked or "mm"
 
 

@@ -16,6 +16,7 @@ from .. import disk
 from ..arrays import Array, Indices
 from ..errors import FileError
 from ..moments.faces import triangle_vectors
+from .contents import Body, Contents, Data
 from .stl_text import looks_like_text, parse_text
 from .welding import Points, welded
 
@@ -38,25 +39,32 @@ _COARSEST = 1e-4
 """Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
 
 
-def read(path: str | Path) -> tuple[Array, Indices]:
-    """Vertices (n, 3), those with equal coordinates joined, and triangles (m, 3) of an STL file.
+def parse(data: Data, name: str) -> Contents:
+    """The body of an STL file: vertices with equal coordinates joined, and triangles.
 
     Coordinates are taken as they stand, but those within 2⁻⁴⁶ × the largest of 0 are 0. The stored
     normals are ignored: the order of the corners says which side is out.
-    Raises FileError if the file is not a whole STL file of finite coordinates; MachineError if the
-    disk does not give it.
+    Raises FileError if the data are not a whole STL file of finite coordinates.
     """
-    data = disk.contents(path)
-    corners = _parse(str(path), data).reshape(-1, 3)
+    data = bytes(data)
+    corners = _corners(name, data).reshape(-1, 3)
     if not len(corners):
-        raise FileError(f"{path}: an STL file without triangles; nothing was exported, or only empty bodies")
+        raise FileError(f"{name}: an STL file without triangles; nothing was exported, or only empty bodies")
     size = np.abs(corners)
     largest = size.max()
     if not np.isfinite(largest):
-        _refuse_not_finite(path, corners)
+        _refuse_not_finite(name, corners)
     corners[size <= _NOUGHT * largest] = 0.0
     vertices, numbers = welded(corners)
-    return vertices, numbers.reshape(-1, 3)
+    body = Body(
+        name="",
+        vertices=vertices,
+        indices=numbers,
+        offsets=np.arange(0, len(numbers) + 1, 3),
+        rounding=float(np.spacing(np.float32(largest))) / 2.0 if corners.dtype == np.float32 else 0.0,
+    )
+    found = _UNIT.search(data[:_HEADER])
+    return Contents(bodies=(body,), length_unit=found[1].decode() if found else None)
 
 
 def _refuse_not_finite(path: str | Path, corners: Points) -> None:
@@ -68,7 +76,7 @@ def _refuse_not_finite(path: str | Path, corners: Points) -> None:
     )
 
 
-def _parse(path: str, data: bytes) -> Points:
+def _corners(path: str, data: bytes) -> Points:
     """Corners (m, 3, 3) of binary or text data: binary where the length is exactly what its count asks for."""
     if not data:
         raise FileError(f"{path}: the file is empty; an STL file was expected; write it again")
@@ -96,16 +104,6 @@ def _refuse_length(path: str, size: int, count: int) -> None:
         f"{path}: not a whole STL file: its header announces {count} triangles, which take {needed} bytes, but it has"
         f" {size}, room for {whole} triangles{f' and {rest} bytes' if rest else ''}; {cause}; write or copy it again"
     )
-
-
-def stated_unit(path: str | Path) -> str | None:
-    """The length unit that a file of ours states in its header; None where there is none, as in most STL files.
-
-    Raises FileError, MachineError as `read`.
-    """
-    with disk.opened(path) as stream:
-        found = _UNIT.search(stream.read(_HEADER))
-    return found[1].decode() if found else None
 
 
 def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit: str = "mm") -> None:

@@ -7,27 +7,53 @@ face; face f owns corners offsets[f] to offsets[f + 1] − 1, `offsets` (f + 1,)
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
 
 
-def corner_lists(faces: ArrayLike | Sequence[ArrayLike]) -> tuple[Indices, Indices]:
-    """`indices` and `offsets` of faces given as integers (m, k) or as sequences of any lengths.
+class Corners(NamedTuple):
+    """Faces of any sizes as the two arrays above: a form of faces wherever these are taken."""
 
-    Raises ValueError if a face holds anything but integers.
+    indices: Indices
+    offsets: Indices
+
+
+Faces = ArrayLike | Sequence[ArrayLike] | Corners
+"""Integers (m, k), lists of vertex numbers of any lengths, or Corners."""
+
+
+def corner_lists(faces: Faces) -> Corners:
+    """Faces as `indices` and `offsets`; arrays of int64 are not copied.
+
+    Raises ValueError if a face holds anything but integers, or offsets do not go from 0 up to the number of corners.
     """
+    if isinstance(faces, Corners):
+        return _listed(faces)
     if isinstance(faces, np.ndarray) and faces.ndim == 2:
         _require_integers(faces)
         count, corners = faces.shape
-        return np.ascontiguousarray(faces, np.int64).reshape(-1), np.arange(count + 1, dtype=np.int64) * corners
+        return Corners(
+            np.ascontiguousarray(faces, np.int64).reshape(-1), np.arange(count + 1, dtype=np.int64) * corners
+        )
     rows = [np.asarray(face) for face in faces]  # type: ignore[union-attr]
     sizes = [row.size for row in rows]
     offsets = np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]).astype(np.int64)
     for row in rows:
         _require_integers(row)
-    return np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64), offsets
+    return Corners(np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64), offsets)
+
+
+def _listed(faces: Corners) -> Corners:
+    indices, offsets = np.asarray(faces.indices), np.asarray(faces.offsets)
+    _require_integers(indices)
+    _require_integers(offsets)
+    whole = indices.ndim == offsets.ndim == 1 and len(offsets) and offsets[0] == 0 and offsets[-1] == len(indices)
+    if not whole or np.any(np.diff(offsets) < 0):
+        raise ValueError("offsets go from 0 up to the number of corners")
+    return Corners(indices.astype(np.int64, copy=False), offsets.astype(np.int64, copy=False))
 
 
 def _require_integers(faces: Array | Indices) -> None:

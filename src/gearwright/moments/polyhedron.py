@@ -18,7 +18,6 @@ Source: Al-Daccak 1989, eqs. (4.13)–(4.27), there by faces and edges.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +27,7 @@ from ..errors import GeometryError, Problem
 from . import compensated
 from .body import BodyMoments
 from .compensated import Doubled, RunningSum
-from .faces import corner_lists, face_vectors, fan_triangles
+from .faces import Faces, corner_lists, face_vectors, fan_triangles
 from .matrix import inertia_tensor, moment_matrix
 
 AMPLIFICATION_LIMIT = 8.0
@@ -65,9 +64,7 @@ class PolyhedronMoments:
     amplification: float
 
 
-def mass_properties(
-    vertices: ArrayLike, faces: ArrayLike | Sequence[ArrayLike], density: float = 1.0
-) -> tuple[float, Array, Array]:
+def mass_properties(vertices: ArrayLike, faces: Faces, density: float = 1.0) -> tuple[float, Array, Array]:
     """Mass, centroid (3,) and inertia tensor about the centroid (3, 3): no object, no topology checks.
 
     vertices  (n, 3)

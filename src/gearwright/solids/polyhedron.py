@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -10,16 +10,14 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
-from ..errors import FileError, GeometryError, Problem
-from ..files import stl
-from ..moments.faces import corner_lists, face_vectors, fan_triangles, triangle_vectors
+from ..errors import GeometryError, Problem
+from ..files import formats, stl
+from ..moments.faces import Corners, Faces, corner_lists, face_vectors, fan_triangles, triangle_vectors
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
 from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections
 from .validity import PolyhedronValidity, examine
-
-_SUFFIXES = (".stl",)
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -37,8 +35,8 @@ class Polyhedron:
     indices: Indices
     offsets: Indices
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike | Sequence[ArrayLike]):
-        """From vertices (n, 3) and faces: integers (m, k), or lists of vertex numbers of any lengths.
+    def __init__(self, vertices: ArrayLike, faces: Faces):
+        """From vertices (n, 3) and faces: integers (m, k), lists of vertex numbers of any lengths, or Corners.
 
         Raises GeometryError, all problems together, if coordinates are not finite, a vertex number is out
         of range, a face has fewer than 3 corners or an array is not of that shape. Whether the faces
@@ -55,19 +53,34 @@ class Polyhedron:
 
     @classmethod
     def load(cls, path: str | Path) -> Polyhedron:
-        """From a file in the format of its suffix (.stl), vertices with equal coordinates joined.
+        """From a file in the format of its suffix, all its bodies as one; `Model.load` keeps them apart.
 
         Raises FileError, MachineError.
         """
-        _require_format(path, "read")
-        return cls(*stl.read(path))
+        return cls.united(cls(b.vertices, Corners(b.indices, b.offsets)) for b in formats.read(path).bodies)
+
+    @classmethod
+    def united(cls, parts: Iterable[Polyhedron]) -> Polyhedron:
+        """Bodies that do not overlap as one, each keeping its vertices. Raises ValueError if there is none."""
+        parts = list(parts)
+        if len(parts) == 1:
+            return parts[0]
+        first_vertices = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
+        first_corners = np.cumsum([0, *(len(part.indices) for part in parts[:-1])])
+        corners = Corners(
+            np.concatenate([part.indices + first for part, first in zip(parts, first_vertices, strict=True)]),
+            np.concatenate(
+                [[0], *(part.offsets[1:] + first for part, first in zip(parts, first_corners, strict=True))]
+            ),
+        )
+        return cls(np.concatenate([part.vertices for part in parts]), corners)
 
     def save(self, path: str | Path, *, length_unit: str = "mm") -> None:
         """Writes a file in the format of its suffix (.stl), whole or not at all.
 
         Raises FileError, MachineError; GeometryError if a face cannot be cut into triangles here.
         """
-        _require_format(path, "written")
+        formats.format_of(path, "written")
         stl.write(path, self.vertices, self._simple_triangles(), length_unit=length_unit)
 
     @property
@@ -161,15 +174,6 @@ class Polyhedron:
         )
 
 
-def _require_format(path: str | Path, done: str) -> None:
-    suffix = Path(path).suffix
-    if suffix.lower() not in _SUFFIXES:
-        raise FileError(
-            f"{path}: a file whose name ends in {suffix or 'no suffix'} cannot be {done}; known suffixes:"
-            f" {', '.join(_SUFFIXES)}"
-        )
-
-
 def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
     try:
         points = np.array(vertices, dtype=np.float64)
@@ -188,14 +192,13 @@ def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
     return points
 
 
-def _corners(faces: ArrayLike | Sequence[ArrayLike], count: int, problems: list[Problem]) -> tuple[Indices, Indices]:
+def _corners(faces: Faces, count: int, problems: list[Problem]) -> tuple[Indices, Indices]:
     try:
         indices, offsets = corner_lists(faces)
     except (TypeError, ValueError) as error:
         problems.append(Problem("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})"))
         return np.empty(0, np.int64), np.zeros(1, np.int64)
-    if isinstance(faces, np.ndarray) and indices.base is not None:
-        indices = indices.copy()  # the caller's array stays the caller's
+    indices, offsets = indices.copy(), offsets.copy()  # the caller's arrays stay the caller's
     short = np.flatnonzero(np.diff(offsets) < 3)
     if len(short):
         sizes = int(np.diff(offsets)[short[0]])
