@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from .elements.cylindrical.spur_gear import SpurGear
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
-    from .moments.polyhedron import mass_properties
+    from .moments.bare import mass_properties
     from .sections.plane import Section
     from .solids.approximation import approximation_error, layer_refinement, section_refinement
     from .solids.convergence import ApproximationError, plot_convergence
@@ -88,7 +88,7 @@ _MODULES = {
     ".elements.cams.cam": ("Cam",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
-    ".moments.polyhedron": ("mass_properties",),
+    ".moments.bare": ("mass_properties",),
     ".sections.plane": ("Section",),
     ".solids.approximation": ("approximation_error", "layer_refinement", "section_refinement"),
     ".solids.convergence": ("ApproximationError", "plot_convergence"),

@@ -13,6 +13,7 @@ from ..arrays import Array, ArrayLike, Indices
 from ..errors import GeometryError, Problem
 from ..files import formats, stl
 from ..moments.faces import Corners, Faces, corner_lists, face_vectors, fan_triangles, triangle_vectors
+from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
 from .properties import MassProperties
@@ -133,8 +134,11 @@ class Polyhedron:
                     )
                 ],
             )
-        extent = partial(Extent, moments.area, moments.bounding_box)
+        extent = partial(self._extent, moments.area)
         return MassProperties.from_moments(moments.body, density=density, find_extent=extent)
+
+    def _extent(self, area: float) -> Extent:
+        return Extent(area, bounding_box(self.vertices, self.indices))
 
     def transformed(self, matrix: ArrayLike) -> Polyhedron:
         """The body mapped by a homogeneous matrix (4, 4), r → A r + t; mirrored faces are turned again.

@@ -1,0 +1,92 @@
+"""The sums over triangles from which the moments of a body follow.
+
+With corners a, b, c relative to an origin, n = (b − a) × (c − a), d = a · n and s = a + b + c, they have these rows:
+
+    0      Σ d                                          1–3    Σ d s
+    4–9    Σ d (aaᵀ + bbᵀ + ccᵀ + ssᵀ), xx yy zz xy yz zx
+    10–12  Σ n                                          13     Σ |n|, or of a polygon |Σ n| over its fan
+    14     Σ |d|′                                       15     Σ |d|′ tr(aaᵀ + bbᵀ + ccᵀ + ssᵀ)
+
+|d|′ is the sum of the magnitudes of the six products of which d consists, so that it tells how much these cancel, as
+in a sliver across the axes. The first ten rows give V, q and S; the next four closure and area; the last two how
+much all terms cancel.
+A sum is kept as two numbers, high and low, whose exact sum is known to about 32 digits: blocks of triangles are
+added in plain arithmetic, blocks to each other without loss. So it does not matter how the blocks are grouped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, cast
+
+from numba import njit
+
+from ...arrays import Array
+from .. import compensated
+
+ROWS = 16
+RUN = 32
+"""Terms that are added to each other in plain arithmetic, one after the other."""
+
+BLOCK = 4 * RUN
+"""Triangles of a run in each of four lanes."""
+
+two_sum = cast("Callable[[Any, Any], tuple[float, float]]", njit(cache=True, nogil=True)(compensated.two_sum))
+
+
+@njit(cache=True, nogil=True)
+def take(high: Array, low: Array, block: Array) -> None:
+    """Adds a block's sums (16,), and sets them to nought."""
+    for row in range(ROWS):
+        high[row], error = two_sum(high[row], block[row])
+        low[row] += error
+        block[row] = 0.0
+
+
+@njit(cache=True, nogil=True)
+def take_lanes(high: Array, low: Array, block: Array) -> None:
+    """Adds a block's sums in lanes (16, 4), and sets them to nought."""
+    for row in range(ROWS):
+        total = (block[row, 0] + block[row, 1]) + (block[row, 2] + block[row, 3])
+        high[row], error = two_sum(high[row], total)
+        low[row] += error
+        block[row] = 0.0
+
+
+@njit(cache=True, nogil=True)
+def add_triangle(vertices: Array, i: int, j: int, k: int, origin: Array, block: Array) -> tuple[float, float, float]:
+    """Adds the terms of one triangle, all but |n|, and gives n."""
+    ax, ay, az = vertices[i, 0] - origin[0], vertices[i, 1] - origin[1], vertices[i, 2] - origin[2]
+    bx, by, bz = vertices[j, 0] - origin[0], vertices[j, 1] - origin[1], vertices[j, 2] - origin[2]
+    cx, cy, cz = vertices[k, 0] - origin[0], vertices[k, 1] - origin[1], vertices[k, 2] - origin[2]
+    ux, uy, uz = vertices[j, 0] - vertices[i, 0], vertices[j, 1] - vertices[i, 1], vertices[j, 2] - vertices[i, 2]
+    vx, vy, vz = vertices[k, 0] - vertices[i, 0], vertices[k, 1] - vertices[i, 1], vertices[k, 2] - vertices[i, 2]
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = (
+        abs(ax) * (abs(uy * vz) + abs(uz * vy))
+        + abs(ay) * (abs(uz * vx) + abs(ux * vz))
+        + abs(az) * (abs(ux * vy) + abs(uy * vx))
+    )
+    d = ax * nx + ay * ny + az * nz
+    sx, sy, sz = ax + bx + cx, ay + by + cy, az + bz + cz
+    xx, yy, zz = (
+        ax * ax + bx * bx + cx * cx + sx * sx,
+        ay * ay + by * by + cy * cy + sy * sy,
+        az * az + bz * bz + cz * cz + sz * sz,
+    )
+    block[0] += d
+    block[1] += d * sx
+    block[2] += d * sy
+    block[3] += d * sz
+    block[4] += d * xx
+    block[5] += d * yy
+    block[6] += d * zz
+    block[7] += d * (ax * ay + bx * by + cx * cy + sx * sy)
+    block[8] += d * (ay * az + by * bz + cy * cz + sy * sz)
+    block[9] += d * (az * ax + bz * bx + cz * cx + sz * sx)
+    block[10] += nx
+    block[11] += ny
+    block[12] += nz
+    block[14] += size
+    block[15] += size * (xx + yy + zz)
+    return nx, ny, nz
