@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from ...arrays import Array
+from ...compiled import compiled
 from .sums import ROWS
 from .triangles import triangle_sums
 
 _SAMPLE = 8
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@compiled
 def answers(vertices: Array, triangles: Any, numbers: Any) -> tuple[int, Array, Array, Array]:
     """The place of a bad number or −1; values (5,); centroid (3,); inertia tensor about it (3, 3), density 1.
 
@@ -48,7 +48,7 @@ def answers(vertices: Array, triangles: Any, numbers: Any) -> tuple[int, Array, 
     return place, values, centroid, inertia
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _middle(vertices: Array, triangles: Any) -> Array:
     """The middle (3,) of a few corners: somewhere among the faces. Numbers out of range are left out."""
     least, most = np.full(3, np.inf), np.full(3, -np.inf)

@@ -10,10 +10,10 @@ from collections.abc import Callable
 from typing import Any, cast
 
 import numpy as np
-from numba import njit
 from numba.extending import intrinsic
 
 from ...arrays import Array
+from ...compiled import compiled
 from .lanes import LANES, Lanes, Vector, adding
 from .sums import two_sum
 
@@ -81,7 +81,7 @@ _add_triangles = cast(
 )
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def doubled_sums(
     vertices: Array, triangles: Any, start: int, stop: int, origin: Array, high: Array, low: Array
 ) -> None:
@@ -91,22 +91,24 @@ def doubled_sums(
     """
     sums = np.zeros((2 * _ROWS, LANES))
     few = np.empty((3 * LANES + 1, 3))
-    alone = np.arange(3 * LANES).astype(triangles.dtype).reshape(LANES, 3)
+    alone = np.arange(3 * LANES, dtype=np.int32).reshape(LANES, 3)
     last = len(vertices) - 1
     for first in range(start, stop, LANES):
+        count = min(LANES, stop - first)
         # the last vertex has no number after it that could be read with it: such triangles are copied
-        copied = first + LANES > stop
-        for t in range(first, min(first + LANES, stop)):
+        copied = count < LANES
+        for t in range(first, first + count):
             for corner in range(3):
                 copied |= triangles[t, corner] == last
-        if copied:
-            few[:] = origin  # triangles without area fill the rest
-            for t in range(first, min(first + LANES, stop)):
-                for corner in range(3):
-                    few[3 * (t - first) + corner] = vertices[triangles[t, corner]]
-            _add_triangles(few, alone, 0, LANES, origin, sums)
-        else:
+        if not copied:
             _add_triangles(vertices, triangles, first, first + LANES, origin, sums)
+            continue
+        for place in range(3 * LANES):
+            for axis in range(3):  # triangles without area fill the rest
+                few[place, axis] = origin[axis]
+                if place < 3 * count:
+                    few[place, axis] = vertices[triangles[first + place // 3, place % 3], axis]
+        _add_triangles(few, alone, 0, LANES, origin, sums)
     for row in range(_ROWS):
         for lane in range(LANES):
             high[row], error = two_sum(high[row], sums[row, lane])

@@ -6,13 +6,13 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from ...arrays import Array
+from ...compiled import compiled
 from .sums import ROWS, RUN, add_triangle, take
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def polygon_sums(
     vertices: Array, indices: Any, offsets: Any, start: int, stop: int, origin: Array, high: Array, low: Array
 ) -> int:

@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from ...arrays import Array
+from ...compiled import compiled
 from .lanes import LANES
 from .plain import add_triangles
 from .sums import BLOCK, ROWS, take_lanes
@@ -21,7 +21,7 @@ from .sums import BLOCK, ROWS, take_lanes
 _K = tuple(np.uint64(k) for k in (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93, 0xA0761D6478BD642F))
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def record_sums(corners: Any, origin: Array, nought: Any, high: Array, low: Array, box: Array, sides: Any) -> None:
     """Adds triangles (m, 3, 3), single precision, to the sums high + low (16,), `box` (2, 3) and `sides` (1,).
 
@@ -56,7 +56,7 @@ def record_sums(corners: Any, origin: Array, nought: Any, high: Array, low: Arra
         take_lanes(high, low, lanes)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _spread(points: Any, count: int, box: Array) -> None:
     """Widens a box (2, 3) by the first points (n, 3)."""
     for axis in range(3):
@@ -70,7 +70,7 @@ def _spread(points: Any, count: int, box: Array) -> None:
         box[0, axis], box[1, axis] = least, most
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _vertex(x: Any, y: Any, z: Any) -> Any:
     name = (np.uint64(x) | (np.uint64(y) << np.uint64(32))) * _K[0]
     name ^= name >> np.uint64(32)
@@ -78,7 +78,7 @@ def _vertex(x: Any, y: Any, z: Any) -> Any:
     return name ^ (name >> np.uint64(29))
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _sides(names: Any, count: int) -> Any:
     """The sum of the numbers of all sides of triangles whose corners have these names (3 m,)."""
     total = np.uint64(0)
@@ -88,7 +88,7 @@ def _sides(names: Any, count: int) -> Any:
     return total
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _side(start: Any, end: Any) -> Any:
     """A number for a side, of opposite sign the other way; nought where both ends are one."""
     forward = start < end

@@ -19,9 +19,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, cast
 
-from numba import njit
-
 from ...arrays import Array
+from ...compiled import compiled
 from .. import compensated
 
 ROWS = 16
@@ -31,10 +30,10 @@ RUN = 32
 BLOCK = 4 * RUN
 """Triangles of a run in each of four lanes."""
 
-two_sum = cast("Callable[[Any, Any], tuple[float, float]]", njit(cache=True, nogil=True)(compensated.two_sum))
+two_sum = cast("Callable[[Any, Any], tuple[float, float]]", compiled(compensated.two_sum))
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def take(high: Array, low: Array, block: Array) -> None:
     """Adds a block's sums (16,), and sets them to nought."""
     for row in range(ROWS):
@@ -43,7 +42,7 @@ def take(high: Array, low: Array, block: Array) -> None:
         block[row] = 0.0
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def take_lanes(high: Array, low: Array, block: Array) -> None:
     """Adds a block's sums in lanes (16, 4), and sets them to nought."""
     for row in range(ROWS):
@@ -53,7 +52,7 @@ def take_lanes(high: Array, low: Array, block: Array) -> None:
         block[row] = 0.0
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def add_triangle(vertices: Array, i: int, j: int, k: int, origin: Array, block: Array) -> tuple[float, float, float]:
     """Adds the terms of one triangle, all but |n|, and gives n."""
     ax, ay, az = vertices[i, 0] - origin[0], vertices[i, 1] - origin[1], vertices[i, 2] - origin[2]

@@ -6,15 +6,15 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from ...arrays import Array
+from ...compiled import compiled
 from .lanes import LANES
 from .plain import add_triangles
 from .sums import BLOCK, ROWS, RUN, add_triangle, take, take_lanes
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def triangle_sums(
     vertices: Array, triangles: Any, numbers: Any, start: int, stop: int, origin: Array, high: Array, low: Array
 ) -> int:
@@ -46,7 +46,7 @@ def triangle_sums(
     return -1
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _first_beyond(numbers: Any, place: int, last: Any) -> int:
     while np.uint64(numbers[place]) <= last:
         place += 1
