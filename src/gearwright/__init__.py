@@ -30,8 +30,10 @@ if TYPE_CHECKING:
     from .sections.plane import Section
     from .solids.approximation import approximation_error, layer_refinement, section_refinement
     from .solids.convergence import ApproximationError, plot_convergence
+    from .solids.model import Model
     from .solids.polyhedron import Polyhedron
     from .solids.properties import MassProperties
+    from .solids.streamed import stream_properties
     from .solids.sweeps import extrude, revolve, sweep, sweep_along
 
 __all__ = [
@@ -48,6 +50,7 @@ __all__ = [
     "InternalGear",
     "MachineError",
     "MassProperties",
+    "Model",
     "ParameterError",
     "Polyhedron",
     "Problem",
@@ -67,6 +70,7 @@ __all__ = [
     "plot_convergence",
     "revolve",
     "section_refinement",
+    "stream_properties",
     "sweep",
     "sweep_along",
     "transmission_error",
@@ -92,8 +96,10 @@ _MODULES = {
     ".sections.plane": ("Section",),
     ".solids.approximation": ("approximation_error", "layer_refinement", "section_refinement"),
     ".solids.convergence": ("ApproximationError", "plot_convergence"),
+    ".solids.model": ("Model",),
     ".solids.polyhedron": ("Polyhedron",),
     ".solids.properties": ("MassProperties",),
+    ".solids.streamed": ("stream_properties",),
     ".solids.sweeps": ("extrude", "revolve", "sweep", "sweep_along"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

@@ -20,13 +20,13 @@ from .contents import Body, Contents, Data
 from .stl_text import looks_like_text, parse_text
 from .welding import Points, welded
 
-_HEADER = 80
-_START = _HEADER + 4
-_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+HEADER = 80
+START = HEADER + 4
+RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _MOST = 2**32 - 1
 _BLOCK = 1 << 18
 _ABSURD = 1000  # times more than the file has: what stands for a count is none
-_UNIT = re.compile(rb"lengths in (mm|in)\b")
+UNIT = re.compile(rb"lengths in (mm|in)\b")
 
 _NOUGHT = 2.0**-46
 """A coordinate this small relative to the largest one is a rounding error of 0 in the program that wrote it.
@@ -63,7 +63,7 @@ def parse(data: Data, name: str) -> Contents:
         offsets=np.arange(0, len(numbers) + 1, 3),
         rounding=float(np.spacing(np.float32(largest))) / 2.0 if corners.dtype == np.float32 else 0.0,
     )
-    found = _UNIT.search(data[:_HEADER])
+    found = UNIT.search(data[:HEADER])
     return Contents(bodies=(body,), length_unit=found[1].decode() if found else None)
 
 
@@ -80,25 +80,25 @@ def _corners(path: str, data: bytes) -> Points:
     """Corners (m, 3, 3) of binary or text data: binary where the length is exactly what its count asks for."""
     if not data:
         raise FileError(f"{path}: the file is empty; an STL file was expected; write it again")
-    count = int.from_bytes(data[_HEADER:_START], "little") if len(data) >= _START else 0
-    if len(data) < _START or len(data) != _START + count * _RECORD.itemsize:
+    count = int.from_bytes(data[HEADER:START], "little") if len(data) >= START else 0
+    if len(data) < START or len(data) != START + count * RECORD.itemsize:
         if looks_like_text(data):
             return parse_text(path, data)
         _refuse_length(path, len(data), count)
-    records = np.frombuffer(data, dtype=_RECORD, offset=_START, count=count)
+    records = np.frombuffer(data, dtype=RECORD, offset=START, count=count)
     return records["corners"].copy()
 
 
 def _refuse_length(path: str, size: int, count: int) -> None:
-    if size < _START:
+    if size < START:
         raise FileError(
-            f"{path}: {size} bytes that are no STL file; a binary one has at least {_START}, a text one begins with"
+            f"{path}: {size} bytes that are no STL file; a binary one has at least {START}, a text one begins with"
             ' "solid"'
         )
-    if count * _RECORD.itemsize > _ABSURD * size:
+    if count * RECORD.itemsize > _ABSURD * size:
         raise FileError(f'{path}: this is no STL file: neither text that begins with "solid" nor a binary one')
-    whole, rest = divmod(size - _START, _RECORD.itemsize)
-    needed = _START + count * _RECORD.itemsize
+    whole, rest = divmod(size - START, RECORD.itemsize)
+    needed = START + count * RECORD.itemsize
     cause = "the file is cut off, or it is no STL file" if size < needed else "the count is wrong, or it is no STL file"
     raise FileError(
         f"{path}: not a whole STL file: its header announces {count} triangles, which take {needed} bytes, but it has"
@@ -117,7 +117,7 @@ def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit:
     single = _single_precision(str(path), vertices, triangles)
     with disk.written_whole(path) as stream:
         stream.write(
-            f"Gearwright binary STL, lengths in {length_unit}".encode("ascii", "replace")[:_HEADER].ljust(_HEADER)
+            f"Gearwright binary STL, lengths in {length_unit}".encode("ascii", "replace")[:HEADER].ljust(HEADER)
         )
         stream.write(len(triangles).to_bytes(4, "little"))
         for start in range(0, len(triangles), _BLOCK):
@@ -145,7 +145,7 @@ def _single_precision(path: str, vertices: Array, triangles: Indices) -> Array:
 
 
 def _records(vertices: Array, triangles: Indices) -> NDArray[np.void]:
-    records = np.zeros(len(triangles), dtype=_RECORD)
+    records = np.zeros(len(triangles), dtype=RECORD)
     normals = triangle_vectors(vertices, triangles)
     lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
     records["normal"] = normals / np.where(lengths > 0.0, lengths, 1.0)

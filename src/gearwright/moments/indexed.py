@@ -167,5 +167,6 @@ def middle(vertices: Array, indices: Any) -> Array:
     points = vertices[few[(few >= 0) & (few < len(vertices))]]
     if not len(points):
         return np.zeros(3)
-    least = points.min(axis=0)
-    return np.asarray(least + (points.max(axis=0) - least) / 2.0)
+    least, most = points.min(axis=0), points.max(axis=0)
+    with np.errstate(invalid="ignore"):  # coordinates that are not finite are refused later
+        return np.asarray(least + (most - least) / 2.0)

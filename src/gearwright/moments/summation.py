@@ -31,7 +31,8 @@ class Sums(NamedTuple):
 
     @property
     def rounded(self) -> Array:
-        return self.high + self.low
+        with np.errstate(invalid="ignore"):
+            return self.high + self.low
 
 
 def nothing() -> Sums:
@@ -42,9 +43,10 @@ def nothing() -> Sums:
 def merged(parts: Iterable[Sums]) -> Sums:
     """The sums over several lots of faces together."""
     high, low = nothing()
-    for part in parts:
-        high, error = compensated.two_sum(high, part.high)
-        low = low + (error + part.low)
+    with np.errstate(invalid="ignore"):  # sums over coordinates that are not finite
+        for part in parts:
+            high, error = compensated.two_sum(high, part.high)
+            low = low + (error + part.low)
     return Sums(high, low)
 
 

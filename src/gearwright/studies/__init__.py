@@ -1,0 +1,1 @@
+"""Many files or designs at once, on many processors or machines."""
