@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -48,6 +49,31 @@ def test_machine_precision_at_any_offset(name, offset):
 @pytest.mark.parametrize("distance", [3.0, 1e3, 1e6, 1e9, 1e12])
 def test_two_bodies_far_apart(distance):
     assert max(errors(joined(BALL, moved(BALL, distance * PLACE)))) <= 1e-15
+
+
+def test_twenty_seven_bodies_apart():
+    places = [1e4 * np.array([x, y, z]) for x in (0, 1, 2) for y in (0, 1, 2) for z in (0, 1, 2)]
+    small = star_shaped(3, 6)
+    bodies = moved(small, places[0])
+    for place in places[1:]:
+        bodies = joined(bodies, moved(small, place))
+    assert max(errors(bodies)) <= 1e-15
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10**6), st.floats(-3, 3), st.floats(-9, 9), st.floats(0, 8))
+def test_sheared_and_flattened_bodies_of_any_size_anywhere(seed, aspect, scale, offset):
+    """Slivers across the axes, where not the terms but the products in them cancel."""
+    random = np.random.default_rng(seed)
+    vertices, faces = star_shaped(4, 7, seed % 100)
+    shear = random.normal(size=(3, 3)) @ np.diag([1.0, 1.0, 10.0**aspect])
+    if np.linalg.det(shear) < 0.0:
+        shear = -shear
+    size = 10.0**scale * np.abs(shear).max()
+    body = vertices @ shear.T * 10.0**scale + random.normal(size=3) * size * 10.0**offset * (seed % 2), faces
+    # far away the vertices are rounded: the body is the rounded one, which must still bound something
+    if float(exact_moments(*body)[0]) > 1e-3 * abs(np.linalg.det(shear)) * 10.0 ** (3 * scale):
+        assert max(errors(body)) <= 2e-15
 
 
 @pytest.mark.parametrize("offset", [0.0, 1e3, 1e6])
@@ -96,6 +122,30 @@ def test_prisms_of_random_polygons(n, seed, height):
     angle = np.arange(n) * 2 * np.pi / n
     corners = random.uniform(0.2, 1, (n, 1)) * np.stack([np.cos(angle), np.sin(angle)], axis=1) + random.normal(size=2)
     assert max(errors(prism(corners, height))) <= 2e-15
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_polygon_is_as_good_as_any_triangles_of_it(seed):
+    """Faces that are not convex, whole and cut by a triangulation of their own."""
+    random = np.random.default_rng(seed)
+    angle = np.arange(40) * 2 * np.pi / 40
+    corners = random.uniform(0.2, 1, (40, 1)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    vertices, faces = prism(corners, 0.7)
+    cut = shapely.constrained_delaunay_triangles(shapely.Polygon(corners))
+    number = {tuple(corner): k for k, corner in enumerate(corners.tolist())}
+    lids = [[number[p] for p in list(part.exterior.coords)[:3]] for part in cut.geoms]
+    areas = [np.linalg.det(corners[lid[1:]] - corners[lid[0]]) for lid in lids]
+    lids = [lid if area > 0 else lid[::-1] for lid, area in zip(lids, areas, strict=True)]
+    assert len(lids) == 38
+    triangles = [lid[::-1] for lid in lids] + [[40 + k for k in lid] for lid in lids]
+    for face in faces[2:]:
+        triangles += [face[:3], [face[0], *face[2:]]]
+    whole, parts = measured((vertices, faces)), measured((vertices, triangles))
+    assert whole.body.volume == pytest.approx(parts.body.volume, rel=1e-15)
+    np.testing.assert_allclose(whole.body.centroid, parts.body.centroid, atol=1e-15)
+    spread = np.abs(parts.body.central_second).max()
+    np.testing.assert_allclose(whole.body.central_second, parts.body.central_second, atol=1e-15 * spread)
+    assert whole.area == pytest.approx(parts.area, rel=1e-14)
 
 
 def test_the_bare_function_gives_mass_centroid_and_inertia():
