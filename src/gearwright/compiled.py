@@ -9,14 +9,20 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
-
-from numba import njit
 
 _PACKAGE = __name__.rpartition(".")[0]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+
+_told: list[Callable[[bool], None]] = []
+
+
+def tell(listener: Callable[[bool], None]) -> None:
+    """Has a listener called with True when a function begins to be compiled, with False when it is."""
+    _told.append(listener)
 
 
 def compiled(function: _Function) -> _Function:
@@ -24,6 +30,9 @@ def compiled(function: _Function) -> _Function:
 
     Division follows IEEE 754: by zero it gives an infinity or NaN.
     """
+    from numba import njit
+
+    _watch()
     dispatcher: Any = njit(nogil=True, error_model="numpy")(function)
     try:
         dispatcher.enable_caching()
@@ -49,3 +58,26 @@ def _stamps(name: str) -> list[tuple[str, int, int]]:
             if isinstance(home, str) and home.startswith(_PACKAGE + "."):
                 waiting.append(home)
     return sorted((name, *stamp) for name, stamp in found.items())
+
+
+@cache
+def _watch() -> None:
+    """Has the compiler say when it works, once."""
+    from numba.core import event
+
+    class Watcher(event.Listener):
+        depth = 0
+
+        def on_start(self, _: Any) -> None:
+            self.depth += 1
+            if self.depth == 1:
+                for listener in _told:
+                    listener(True)
+
+        def on_end(self, _: Any) -> None:
+            self.depth -= 1
+            if self.depth == 0:
+                for listener in _told:
+                    listener(False)
+
+    event.register("numba:compile", Watcher())  # type: ignore[no-untyped-call]
