@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .elements.cylindrical.spur_gear import SpurGear
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
+    from .materials import MATERIALS, Material, density
     from .moments.polyhedron import mass_properties
     from .sections.plane import Section
     from .solids.approximation import approximation_error, layer_refinement, section_refinement
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from .solids.sweeps import extrude, revolve, sweep, sweep_along
 
 __all__ = [
+    "MATERIALS",
     "ApproximationError",
     "BevelGear",
     "BevelPair",
@@ -48,6 +50,7 @@ __all__ = [
     "InternalGear",
     "MachineError",
     "MassProperties",
+    "Material",
     "ParameterError",
     "Polyhedron",
     "Problem",
@@ -59,6 +62,7 @@ __all__ = [
     "approximation_error",
     "contact_lines",
     "contact_ratios",
+    "density",
     "extrude",
     "helix",
     "layer_refinement",
@@ -88,6 +92,7 @@ _MODULES = {
     ".elements.cams.cam": ("Cam",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
+    ".materials": ("MATERIALS", "Material", "density"),
     ".moments.polyhedron": ("mass_properties",),
     ".sections.plane": ("Section",),
     ".solids.approximation": ("approximation_error", "layer_refinement", "section_refinement"),

@@ -29,10 +29,11 @@ class Model:
     @classmethod
     def load(cls, path: str | Path) -> Model:
         """From a file in the format of its suffix. Raises FileError, MachineError."""
-        return cls._of(formats.read(path))
+        return cls.of(formats.read(path))
 
     @classmethod
-    def _of(cls, contents: Contents) -> Model:
+    def of(cls, contents: Contents) -> Model:
+        """From what a file holds. Raises GeometryError if its faces are none."""
         bodies = {name: _polyhedron(body) for name, body in _named(contents.bodies).items()}
         return cls(bodies=bodies, length_unit=contents.length_unit, remarks=contents.remarks)
 

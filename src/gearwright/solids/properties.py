@@ -15,6 +15,7 @@ from ..errors import GeometryError, ParameterError, Problem
 from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
 from ..placement import require_rotation
+from ..rotations import quaternion_of
 from .extent import Extent
 from .principal import principal_axes
 
@@ -129,6 +130,11 @@ class MassProperties:
         return self.second_moment[[0, 1, 2], [1, 2, 0]]
 
     @property
+    def central_products(self) -> Array:
+        """Products of inertia +∫xy dm, +∫yz dm, +∫zx dm about the centroid (3,)."""
+        return self.density * self.central_second[[0, 1, 2], [1, 2, 0]]
+
+    @property
     def principal_moments(self) -> Array:
         """Principal moments of inertia about the centroid (3,), ascending."""
         axes = self.principal_axes
@@ -140,9 +146,22 @@ class MassProperties:
         return principal_axes(self.central_inertia)
 
     @property
+    def principal_quaternion(self) -> Array:
+        """Unit quaternion (w, x, y, z), w ≥ 0, that turns the frame's axes into the principal ones.
+
+        Its matrix is `principal_axes`: it takes components along the principal axes to components in the frame.
+        """
+        return quaternion_of(self.principal_axes)
+
+    @property
     def radii_of_gyration(self) -> Array:
         """√(principal moment / mass), about the principal axes through the centroid (3,)."""
         return np.sqrt(np.maximum(self.principal_moments, 0.0) / self.mass)
+
+    @property
+    def central_radii_of_gyration(self) -> Array:
+        """√(Ixx / mass), √(Iyy / mass), √(Izz / mass), about the frame's axes through the centroid (3,)."""
+        return np.sqrt(np.maximum(np.diag(self.central_inertia), 0.0) / self.mass)
 
     @property
     def moments(self) -> Array:
@@ -237,13 +256,15 @@ class MassProperties:
         return tuple(problems)
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything by name as plain numbers and lists, for JSON; `products` named xy, yz, zx."""
+        """Everything by name as plain numbers and lists, for JSON; products named xy, yz, zx."""
         names = (
-            "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
-            " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
+            "volume mass density centroid first_moment second_moment inertia central_inertia products central_products"
+            " principal_moments principal_axes principal_quaternion radii_of_gyration central_radii_of_gyration moments"
+            " area bounding_box method error_bound evaluations"
         )
         values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
-        values["products"] = dict(zip(("xy", "yz", "zx"), self.products.tolist(), strict=True))
+        for name in ("products", "central_products"):
+            values[name] = dict(zip(("xy", "yz", "zx"), values[name].tolist(), strict=True))
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
 
 
