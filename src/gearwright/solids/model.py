@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ..files import formats
 from ..files.contents import Body, Contents
+from ..files.welding import welded
 from ..moments.faces import Corners
 from .polyhedron import Polyhedron
 
@@ -41,6 +42,13 @@ class Model:
     def polyhedron(self) -> Polyhedron:
         """All bodies as one."""
         return Polyhedron.united(self.bodies.values())
+
+    @cached_property
+    def joined(self) -> Polyhedron:
+        """All bodies as one whose corners at equal coordinates are one vertex: pieces of one boundary close so."""
+        whole = self.polyhedron
+        points, numbers = welded(whole.vertices)
+        return Polyhedron(points, Corners(numbers[whole.indices], whole.offsets))
 
 
 def _named(bodies: tuple[Body, ...]) -> dict[str, Body]:
