@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
-from collections.abc import Callable, Generator, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from typing import Generic, TypeVar
 
@@ -91,7 +92,8 @@ class _Worker:
     def __init__(self, context: multiprocessing.context.SpawnContext, work: Callable[[Task], Result]):
         self.pipe, far = context.Pipe()
         self._process = context.Process(target=_serve, args=(far, work), daemon=True)
-        self._process.start()
+        with _interrupts_held():
+            self._process.start()
         far.close()  # so that the pipe ends with the process
 
     def end(self) -> int:
@@ -102,6 +104,20 @@ class _Worker:
             self._process.kill()
             self._process.join()
         return self._process.exitcode or 0
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Keeps an interrupt back until the block ends; a process that is started in it begins with them kept back."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # which lets interrupts through when it starts
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _serve(pipe: Connection, work: Callable[[Task], Result]) -> None:

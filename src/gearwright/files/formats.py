@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
 from .. import disk
 from ..errors import FileError
 from ..sources import Source, load
-from .contents import Contents
+
+if TYPE_CHECKING:  # so that listing the formats loads no numpy
+    from .contents import Contents
 
 
 @dataclass(frozen=True, kw_only=True)
