@@ -23,7 +23,7 @@ def quaternion_of(rotation: ArrayLike) -> Array:
     quaternion = np.linalg.eigh(form)[1][:, -1]
     quaternion = np.where(np.abs(quaternion) < _NOUGHT, 0.0, quaternion)
     quaternion *= np.sign(quaternion[np.flatnonzero(quaternion)[0]])
-    return np.asarray(quaternion / np.linalg.norm(quaternion))
+    return np.asarray(quaternion / np.linalg.norm(quaternion) + 0.0)
 
 
 def rotation_of(quaternion: ArrayLike) -> Array:
