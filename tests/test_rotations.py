@@ -41,6 +41,7 @@ def test_turns_about_fixed_axes_make_the_rotation(given):
         ([[1, 0, 0], [0, 0, -1], [0, 1, 0]], (np.pi / 2, 0, 0)),
         ([[0, -1, 0], [1, 0, 0], [0, 0, 1]], (0, 0, np.pi / 2)),
         ([[0, 0, 1], [0, 1, 0], [-1, 0, 0]], (0, np.pi / 2, 0)),
+        ([[0, -1, 0], [0, 0, 1], [-1, 0, 0]], (0, np.pi / 2, np.pi / 2)),
     ],
 )
 def test_quarter_turns_by_hand(axes, angles):

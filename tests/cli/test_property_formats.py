@@ -145,6 +145,10 @@ def test_inertial_elements_are_in_si_units_and_give_the_tensor_back(run, file, f
     np.testing.assert_allclose(tensor_of(element), wanted, rtol=1e-12, atol=1e-12 * wanted.max())
     mass = element.get("mass") or element.findtext("mass") or element.find("mass").get("value")
     assert float(mass) == pytest.approx(0.006, rel=1e-14)
+    origin = element.find("origin")
+    place = element.get("pos") or element.findtext("pose") or origin.get("xyz")
+    centre = [float(one) for one in place.split()[:3]]
+    np.testing.assert_allclose(centre, TURN @ (AT + SIZE / 2) / 100, atol=1e-15)
 
 
 def test_each_body_has_an_element_of_its_own(run, monkeypatch):

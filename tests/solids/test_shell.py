@@ -134,6 +134,19 @@ def test_digits_are_kept_far_from_the_origin():
     assert far.volume == near.volume
 
 
+def test_digits_are_kept_where_a_speck_is_far_from_all_the_rest():
+    side, far = 2.0**-20, 2.0**20
+    speck = CORNERS[[0, 2, 6, 4]] * side + [far, 0, 0]  # a square across z
+    both = gw.Polyhedron(np.vstack([CORNERS, speck]), [*FACES, [8, 9, 10, 11]]).shell_properties(1.0)
+    area, small = 6.0, side**2
+    apart = far + side / 2 - 0.5
+    assert both.centroid[0] == pytest.approx(0.5 + small * apart / (area + small), rel=1e-15)
+    # ∫ x² of the box's plates and of the speck about their own middles, and of both about the common one
+    xx = 2 / 4 + 4 / 12 + side**4 / 12 + area * small / (area + small) * apart**2
+    assert both.central_second[0, 0] == pytest.approx(xx, rel=1e-15)
+    assert both.error_bound < 1e-14
+
+
 def test_scaling_scales_with_the_fourth_power():
     one = sphere(8).shell_properties(1.0)
     other = sphere(8).transformed(np.diag([3.0, 3.0, 3.0, 1.0])).shell_properties(1.0)

@@ -51,7 +51,11 @@ class Wanted:
     ] = None
     about: Annotated[
         tuple[float, float, float] | None,
-        Option(help="Inertia about this point, too, in the files' lengths and frame.", metavar="X Y Z"),
+        Option(
+            help="Inertia about this point, too, in the files' lengths and frame.",
+            metavar="X Y Z",
+            negative_iterable=(),
+        ),
     ] = None
     axes: Annotated[
         str,
