@@ -85,7 +85,8 @@ def answer(file: Path, question: Question) -> Answer:
     try:
         return measured(file, question)
     except Exception as error:  # noqa: BLE001  it must travel between processes, as its code and message
-        code, message = explained(error, f"gearwright properties {file}", subject=str(file))
+        subject = "standard input" if file == STANDARD_INPUT else str(file)
+        code, message = explained(error, f"gearwright properties {file}", subject=subject)
         return Failure(code=code, message=message)
 
 
