@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .elements.cylindrical.spur_gear import SpurGear
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
+    from .materials import MATERIALS, Material, density
     from .moments.bare import mass_properties
     from .sections.plane import Section
     from .solids.approximation import approximation_error, layer_refinement, section_refinement
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from .solids.sweeps import extrude, revolve, sweep, sweep_along
 
 __all__ = [
+    "MATERIALS",
     "ApproximationError",
     "BevelGear",
     "BevelPair",
@@ -50,6 +52,7 @@ __all__ = [
     "InternalGear",
     "MachineError",
     "MassProperties",
+    "Material",
     "Model",
     "ParameterError",
     "Polyhedron",
@@ -62,6 +65,7 @@ __all__ = [
     "approximation_error",
     "contact_lines",
     "contact_ratios",
+    "density",
     "extrude",
     "helix",
     "layer_refinement",
@@ -93,6 +97,7 @@ _MODULES = {
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.bare": ("mass_properties",),
+    ".materials": ("MATERIALS", "Material", "density"),
     ".sections.plane": ("Section",),
     ".solids.approximation": ("approximation_error", "layer_refinement", "section_refinement"),
     ".solids.convergence": ("ApproximationError", "plot_convergence"),

@@ -206,3 +206,26 @@ def test_turn_turns_the_pinion(run, pair_options):
     ]
     between = placements[1][:3, :3] @ placements[0][:3, :3].T
     assert np.degrees(np.arccos((np.trace(between) - 1) / 2)) == pytest.approx(5, rel=1e-9)
+
+
+def test_a_material_is_a_density(run):
+    spur = "spur --teeth 16 --module 8 --face-width 50 --root radial --json".split()
+    by_name, by_number = (
+        json.loads(run(*spur, *words).out) for words in (["--material", "Steel"], ["--density", 7850])
+    )
+    assert by_name == by_number
+    assert by_name["properties"]["mass_unit"] == "kg"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--material", "steel", "--density", 1], "--material steel: give either a material or a --density, not both"),
+        (["--material", "stel"], "--material stel: there is no such one; did you mean steel?"),
+    ],
+)
+def test_materials_that_cannot_be_used_are_refused_with_all_else(run, words, said):
+    outcome = run(*"spur --teeth 2 --module 8 --face-width 50 --root radial".split(), *words)
+    assert outcome.code == 2
+    assert said in outcome.err
+    assert "--teeth = 2" in outcome.err

@@ -212,7 +212,35 @@ def test_dictionary_is_plain_and_complete():
     assert (
         list(values)
         == (
-            "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
-            " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
+            "volume mass density centroid first_moment second_moment inertia central_inertia products"
+            " central_products principal_moments principal_axes principal_quaternion radii_of_gyration"
+            " central_radii_of_gyration moments area bounding_box method error_bound evaluations"
         ).split()
     )
+
+
+def test_what_is_about_the_centroid_by_hand():
+    body = cuboid(1, 2, 3, (10, 20, 30), density=0.5).moved([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    np.testing.assert_allclose(body.central_products, 0, atol=1e-15)
+    np.testing.assert_allclose(body.central_radii_of_gyration**2, np.array([10, 13, 5])[[0, 1, 2]] / 12)
+    np.testing.assert_allclose(cuboid(2, 2, 2).central_radii_of_gyration ** 2, [8 / 12] * 3)
+
+
+def test_products_about_the_centroid_are_minus_the_off_diagonals():
+    body = cuboid(1, 2, 3, (1, 2, 3), density=0.5).moved(turn([1, 2, 3], 0.7))
+    # a body long in the direction (1, 1, 0) has a positive product xy
+    rod = cuboid(10, 0.1, 0.1).moved(turn([0, 0, 1], np.pi / 4))
+    assert rod.central_products[0] == pytest.approx(0.1 * 0.1 * 10 * (100 - 0.01) / 24, rel=1e-12)
+    for value, (i, j) in zip(body.central_products, [(0, 1), (1, 2), (2, 0)], strict=True):
+        assert value == pytest.approx(-body.central_inertia[i, j], rel=1e-12)
+
+
+@given(vectors.filter(lambda axis: np.linalg.norm(axis) > 1), angles)
+def test_the_quaternion_turns_the_frame_into_the_principal_axes(axis, angle):
+    body = cuboid(1, 2, 4).moved(turn(axis, angle))
+    w, x, y, z = body.principal_quaternion
+    assert w >= 0
+    for column, unit in zip(body.principal_axes.T, np.eye(3), strict=True):
+        v = np.array([x, y, z])
+        turned = unit + 2 * w * np.cross(v, unit) + 2 * np.cross(v, np.cross(v, unit))
+        np.testing.assert_allclose(turned, column, atol=1e-14)

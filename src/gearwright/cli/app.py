@@ -35,7 +35,10 @@ def build() -> cyclopts.App:
         app.command(f"{__package__}.elements:{name}", name=name, help=_help(name))
     app.command(f"{__package__}.build:build", name="build", help="Build the element that a TOML file describes.")
     app.command(f"{__package__}.schema:schema", name="schema", help="Print the JSON Schema of those TOML files.")
-    app.command(f"{__package__}.properties:properties", name="properties", help="Volumetric properties of STL files.")
+    app.command(
+        f"{__package__}.properties:properties", name="properties", help="Mass, centroid and inertia of bodies in files."
+    )
+    app.command(f"{__package__}.materials:materials", name="materials", help="List materials and their densities.")
     app.command(
         f"{__package__}.check:check", name="check", help="Check STL files: closed, outward, not through itself."
     )

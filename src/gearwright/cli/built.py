@@ -11,7 +11,8 @@ import numpy as np
 from .. import catalog
 from ..arrays import Array
 from ..boundary.boundary import Boundary
-from ..parameters import MILLIMETRES, Size
+from ..materials import density as kernel_density
+from ..parameters import Size
 from ..solids.convergence import ApproximationError
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
@@ -51,10 +52,14 @@ class Pair(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Units:
-    """Units of what is shown. Without a density mass is volume, in cubed length units."""
+    """Units of what is shown. Without a density mass is volume, in cubed length units.
+
+    has_volume   False of surfaces that have a mass per area, but no thickness
+    """
 
     length: str
     mass: str
+    has_volume: bool = True
 
     @property
     def has_mass(self) -> bool:
@@ -65,7 +70,7 @@ def units_and_density(length_unit: str, density: float | None) -> tuple[Units, f
     """Units of the properties and density in mass per cubed length unit, from kg/m³ or None."""
     if density is None:
         return Units(length=length_unit, mass=f"{length_unit}^3"), 1.0
-    return Units(length=length_unit, mass="kg"), density / (1e3 / MILLIMETRES[length_unit]) ** 3
+    return Units(length=length_unit, mass="kg"), kernel_density(density, length_unit=length_unit)
 
 
 @dataclass(frozen=True, kw_only=True)

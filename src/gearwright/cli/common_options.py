@@ -10,17 +10,18 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..errors import Problem, ProblemsError
+from ..errors import ParameterError, Problem
+from ..materials import DENSITY, material
 from ..parameters import Parameter
 from .options import OUTPUT, option_name
 
-DENSITY = Parameter(meaning="density in kg/m³", above=0)
 TOLERANCE = Parameter(meaning="largest chord distance of the polyhedron", unit="length", above=0)
 TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 
 _NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
 
 DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
+MATERIAL_HELP = "Density of a material; `gearwright materials` lists them."
 
 
 def unsound(values: Mapping[str, tuple[float | None, Parameter]]) -> list[Problem]:
@@ -32,11 +33,18 @@ def unsound(values: Mapping[str, tuple[float | None, Parameter]]) -> list[Proble
     ]
 
 
-def require_sound(values: Mapping[str, tuple[float | None, Parameter]]) -> None:
-    """Refuses common options outside their limits, all together. Raises ProblemsError."""
-    problems = unsound(values)
-    if problems:
-        raise ProblemsError("These options cannot be used", problems)
+def kilograms(density: float | None, name: str | None) -> float | None:
+    """Density in kg/m³, given as such or by the name of a material; None where neither is given."""
+    return material(name).density if name is not None else density
+
+
+def material_problems(name: str | None) -> list[Problem]:
+    """What is wrong with the name of a material."""
+    try:
+        kilograms(None, name)
+    except ParameterError as error:
+        return [Problem(f"--material {name}", problem.message) for problem in error.problems]
+    return []
 
 
 def _wrong_suffix(name: str, path: Path | None, suffixes: Sequence[str]) -> list[Problem]:
@@ -98,6 +106,7 @@ class Outputs:
         ),
     ] = None
     density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None
+    material: Annotated[str | None, Option(help=MATERIAL_HELP, metavar="NAME")] = None
     convergence: Annotated[
         list[Path] | None,
         Option(
@@ -123,9 +132,20 @@ class Outputs:
     ] = False
 
     @property
+    def kilograms(self) -> float | None:
+        """Density in kg/m³, None where none is given."""
+        return kilograms(self.density, self.material)
+
+    @property
     def plot(self) -> Path | None:
         """The file that the errors are drawn into."""
         return self.convergence[0] if self.convergence else None
+
+    def _material_problems(self) -> list[Problem]:
+        """What is wrong with the material, alone or beside a density."""
+        if self.material is not None and self.density is not None:
+            return [Problem(f"--material {self.material}", "give either a material or a --density, not both")]
+        return material_problems(self.material)
 
     def _diagram_problems(self, kind: catalog.Element) -> list[Problem]:
         """What is wrong with the diagram asked for, of an element that draws one or does not."""
@@ -157,6 +177,7 @@ class Outputs:
         writes = self.output is not None or self.picture is not None
         return [
             *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
+            *self._material_problems(),
             *(Problem(option_name(name), "a name is needed") for name in nameless),
             *_wrong_suffix("output", file, written),
             *_one_file_twice({**files, "diagram": self.diagram}),

@@ -12,7 +12,7 @@ from ..solids.approximation import approximation_error, layer_refinement, sectio
 from ..solids.convergence import plot_convergence
 from .built import Built, Part
 from .outputs import progress
-from .report import plain_table, show
+from .tables import plain_table, show
 
 _NOTE = """Volume: relative. Centroid: over the bounding diagonal. Inertia: about the centroid, norm of the
 difference over the norm. Order: slope of log error over log tolerance, or over log 1/number."""

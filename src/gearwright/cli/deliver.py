@@ -25,7 +25,7 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
 
     wording   turns a remark into the words of the user's input
     """
-    built = built_from(kind, element, outputs.density, outputs.turn or 0.0)
+    built = built_from(kind, element, outputs.kilograms, outputs.turn or 0.0)
     if outputs.convergence is not None:
         built = with_convergence(built)
     if outputs.running and kind.running is not None:

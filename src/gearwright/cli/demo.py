@@ -19,7 +19,7 @@ from ..solids.properties import MassProperties
 from .built import Built, Part, built_from
 from .exits import DONE
 from .outputs import placed_parts, progress
-from .report import number, plain_table, show
+from .tables import number, plain_table, show
 
 PAIR: Mapping[str, Any] = {
     "teeth": (16, 20),

@@ -31,14 +31,20 @@ def report(error: BaseException, command: str, subject: str = "") -> int:
     """
     if isinstance(error, BrokenPipeError):
         return _reader_left()
-    if os.environ.get("GEARWRIGHT_DEBUG") == "1":
-        traceback.print_exception(error)
-    code, message = _code_and_message(error, command)
-    if subject and not message.startswith(subject):
-        message = f"{subject}: {message}"
+    code, message = explained(error, command, subject)
     if message:
         print(message, file=sys.stderr)
     return code
+
+
+def explained(error: BaseException, command: str, subject: str = "") -> tuple[int, str]:
+    """Exit code and message of an error; arguments as those of `report`."""
+    if os.environ.get("GEARWRIGHT_DEBUG") == "1":
+        traceback.print_exception(error)
+    code, message = _code_and_message(error, command)
+    if subject and message and not message.startswith(subject):
+        message = f"{subject}: {message}"
+    return code, message
 
 
 def _code_and_message(error: BaseException, command: str) -> tuple[int, str]:

@@ -1,63 +1,134 @@
-"""`gearwright properties FILE…`: volumetric properties of closed polyhedra in files."""
+"""`gearwright properties FILE…`: volumetric properties of bodies in files."""
 
 from __future__ import annotations
 
+import os
 import sys
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import closing
+from dataclasses import fields
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from cyclopts import Parameter as Option
 
-from ..errors import FileError, GearwrightError
-from ..solids.model import Model
-from ..solids.properties import MassProperties
-from .built import Units, units_and_density
-from .common_options import DENSITY, DENSITY_HELP, require_sound
-from .exits import DONE, report
-from .json_output import json_line, properties_json
-from .report import properties_note, properties_table, show
+from ..errors import GearwrightError, Problem, ProblemsError
+from ..parameters import did_you_mean
+from .batch import in_order
+from .exits import DONE, MACHINES_FAULT, report
+from .file_names import named_files
+from .measuring import STANDARD_INPUT, Answer, Failure, Measured, Question, answer
+from .options import option_name
+from .outputs import progress
+from .property_formats import heading, result
+from .property_options import DEFAULT, FLATTENED, Wanted, asked
+from .summing import Sum
+
+_WORTH_A_PROCESS = 100e6
+"""Bytes of files that take some seconds; starting a process takes about one."""
+
+FILES = Option(
+    metavar="FILE",
+    required=True,
+    allow_leading_hyphen=True,
+    help="Files of bodies, folders of them, @LIST for the files that a text file names, - for what is piped in.",
+)
 
 
 def properties(
-    *files: Annotated[Path, Option(metavar="FILE", required=True, help="STL files, binary or text.")],
-    json: Annotated[
-        bool, Option(help="Print one line of JSON for each file.", negative=(), show_default=False)
-    ] = False,
-    density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None,
-    length_unit: Annotated[
-        Literal["mm", "in"] | None, Option(help="Unit of the lengths in files that state none.", show_default="mm")
-    ] = None,
+    *files: Annotated[Path, FILES],
+    wanted: FLATTENED = DEFAULT,
 ) -> int:
-    """Volume, centroid and inertia of closed polyhedra.
+    """Mass, volume, centroid and inertia of closed polyhedra and of thin shells.
 
     A file that cannot be used is named on stderr; the others are still done.
     """
-    require_sound({"density": (density, DENSITY)})
-    worst = DONE
-    for file in files:
-        try:
-            model = Model.load(file)
-            polyhedron = model.polyhedron
-            units, kernel_density = units_and_density(_unit(file, model.length_unit, length_unit), density)
-            found = polyhedron.properties(kernel_density)
-            for remark in polyhedron.validity().remarks:
-                print(f"note: {file}: {remark}", file=sys.stderr)
-        except (GearwrightError, OSError) as error:
-            worst = max(worst, report(error, "gearwright properties", subject=str(file)))
-        else:
-            _show(file, found, units, json)
+    question, view = asked(wanted)
+    tasks = named_files(_without_unknown_options(files))
+    said = partial(_said, shown=partial(result, written=wanted.written, view=view, question=question))
+    worst, total = DONE, Sum()
+    sys.stdout.write(heading(wanted.written))
+    with closing(_answers(tasks, question, wanted.jobs)) as answers:
+        for found in _with_progress(answers, len(tasks)):
+            worst = max(worst, said(found))
+            if wanted.sum and isinstance(found, Measured):
+                total.take(found)
+    together = total.total()
+    if together is not None:
+        worst = max(worst, said(together))
+        if worst != DONE:
+            print("note: files that could not be used are not in the sum", file=sys.stderr)
     return worst
 
 
-def _unit(file: Path, stated: str | None, asked: str | None) -> str:
-    """The unit that the file states, else the one asked for, else mm. Raises FileError where they differ."""
-    if stated and asked and stated != asked:
-        raise FileError(f"{file}: it says itself that lengths are in {stated}, not {asked}; leave out --length-unit")
-    return stated or asked or "mm"
+def _said(found: Answer, shown: Callable[[Measured], str]) -> int:
+    """Writes a result, with its remarks, or says why there is none; gives the exit code."""
+    if isinstance(found, Failure):
+        print(found.message, file=sys.stderr)
+        return found.code
+    for remark in found.remarks:
+        print(f"note: {found.file}: {remark}", file=sys.stderr)
+    try:
+        sys.stdout.write(shown(found))
+    except GearwrightError as error:
+        return report(error, "gearwright properties", subject=found.file or "the sum")
+    sys.stdout.flush()
+    return DONE
 
 
-def _show(file: Path, found: MassProperties, units: Units, json: bool) -> None:
-    if json:
-        sys.stdout.write(json_line({"file": str(file), **properties_json(found, units)}) + "\n")
-    else:
-        show(properties_table(str(file), [""], [found], units), properties_note(units))
+def _answers(tasks: Sequence[Path | Failure], question: Question, jobs: int | None) -> Generator[Answer]:
+    """What each file answers, in their order."""
+    work = partial(_answer, question=question)
+    files = [task for task in tasks if isinstance(task, Path)]
+    return in_order(tasks, work, 1 if STANDARD_INPUT in files else jobs or _processes(files), _lost)
+
+
+def _answer(task: Path | Failure, question: Question) -> Answer:
+    return task if isinstance(task, Failure) else answer(task, question)
+
+
+def _lost(task: Path | Failure, code: int) -> Answer:
+    if isinstance(task, Failure):
+        return task
+    how = f"by signal {-code}" if code < 0 else f"with code {code}"
+    message = (
+        f"{task}: the process that measured it was ended {how}; the usual cause is too little memory: measure it alone,"
+        " or take fewer --jobs"
+    )
+    return Failure(code=MACHINES_FAULT, message=message)
+
+
+def _processes(files: Sequence[Path]) -> int:
+    """How many processes are worth their start."""
+    work = sum(_size(file) for file in files)
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(count, len(files), int(work / _WORTH_A_PROCESS)))
+
+
+def _size(file: Path) -> int:
+    try:
+        return file.stat().st_size
+    except (OSError, ValueError):
+        return 0
+
+
+def _with_progress(answers: Iterator[Answer], count: int) -> Iterator[Answer]:
+    """The answers, saying on a terminal how many of the files are done while it waits for the next."""
+    for number in range(count):
+        with progress(f"measuring, {number} of {count} files are done" if count > 1 else "measuring"):
+            found = next(answers)
+        yield found
+
+
+def _without_unknown_options(files: Sequence[Path]) -> Sequence[Path]:
+    """The names, of which only - may begin with a hyphen: others are options that there are not."""
+    known = sorted(option_name(one.name) for one in fields(Wanted))
+    problems = [
+        Problem(str(file), f"there is no such option{did_you_mean(str(file), known)}; a file of this name is ./{file}")
+        for file in files
+        if str(file).startswith("-") and file != STANDARD_INPUT
+    ]
+    if problems:
+        raise ProblemsError("These options are not known (`gearwright properties --help` lists them)", problems)
+    return files

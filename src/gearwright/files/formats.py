@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
 
 from .. import disk
 from ..errors import FileError
 from ..sources import Source, load
-from .contents import Contents
+
+if TYPE_CHECKING:  # so that listing the formats loads no numpy
+    from .contents import Contents
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,3 +62,21 @@ def format_of(path: str | Path, done: str) -> FileFormat:
         f"{path}: a file whose name ends in {suffix or 'no suffix'} cannot be {done}; known suffixes:"
         f" {', '.join(suffix for one in known for suffix in one.suffixes)}"
     )
+
+
+def read_stream(stream: BinaryIO) -> Contents:
+    """What a stream of bytes holds, in the first format that can be read from it.
+
+    Raises FileError where it is of no known format, with what the first one found wrong.
+    """
+    data = stream.read()
+    refusals = []
+    for one in FILE_FORMATS:
+        parse = load(one.parser) if one.parser else None
+        try:
+            if parse is not None:
+                found: Contents = parse(data, "standard input")
+                return found
+        except FileError as error:
+            refusals.append(error)
+    raise refusals[0]

@@ -8,10 +8,11 @@ from .declaration import Declaration, declarations, declared, entry, member_valu
 from .forms import FileName, Numbers, Points, Several, Table, Text
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
-from .units import LEAST, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up
+from .units import LEAST, LENGTH_UNITS, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up
 
 __all__ = [
     "LEAST",
+    "LENGTH_UNITS",
     "MILLIMETRES",
     "MOST",
     "Declaration",

@@ -10,8 +10,11 @@ from typing import Literal
 
 Unit = Literal["length", "area", "angle", "microradian", "mm", "per inch", ""]
 
-MILLIMETRES = {"mm": 1.0, "in": 25.4}
-"""Length units a person may choose, in millimetres."""
+LENGTH_UNITS = {"um": 1e-3, "mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
+"""Length units of files and of what is measured, in millimetres."""
+
+MILLIMETRES = {unit: LENGTH_UNITS[unit] for unit in ("mm", "in")}
+"""Length units that elements are given in, in millimetres."""
 
 LEAST, MOST = 1e-12, 1e12
 """Limits of lengths, whose fifth powers must stay numbers."""

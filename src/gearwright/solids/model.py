@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ..files import formats
 from ..files.contents import Body, Contents
+from ..files.welding import welded
 from ..moments.faces import Corners
 from .polyhedron import Polyhedron
 
@@ -29,10 +30,11 @@ class Model:
     @classmethod
     def load(cls, path: str | Path) -> Model:
         """From a file in the format of its suffix. Raises FileError, MachineError."""
-        return cls._of(formats.read(path))
+        return cls.of(formats.read(path))
 
     @classmethod
-    def _of(cls, contents: Contents) -> Model:
+    def of(cls, contents: Contents) -> Model:
+        """From what a file holds. Raises GeometryError if its faces are none."""
         bodies = {name: _polyhedron(body) for name, body in _named(contents.bodies).items()}
         return cls(bodies=bodies, length_unit=contents.length_unit, remarks=contents.remarks)
 
@@ -40,6 +42,13 @@ class Model:
     def polyhedron(self) -> Polyhedron:
         """All bodies as one."""
         return Polyhedron.united(self.bodies.values())
+
+    @cached_property
+    def joined(self) -> Polyhedron:
+        """All bodies as one whose corners at equal coordinates are one vertex: pieces of one boundary close so."""
+        whole = self.polyhedron
+        points, numbers = welded(whole.vertices)
+        return Polyhedron(points, Corners(numbers[whole.indices], whole.offsets))
 
 
 def _named(bodies: tuple[Body, ...]) -> dict[str, Body]:

@@ -18,6 +18,7 @@ from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
 from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections
+from .shell import shell_properties
 from .validity import PolyhedronValidity, examine
 
 
@@ -139,6 +140,13 @@ class Polyhedron:
 
     def _extent(self, area: float) -> Extent:
         return Extent(area, bounding_box(self.vertices, self.indices))
+
+    def shell_properties(self, thickness: float, density: float = 1.0) -> MassProperties:
+        """Of a thin sheet along the faces, to first order in its thickness; they need not close.
+
+        Raises ParameterError if the thickness is not positive; GeometryError if no face has an area or one is bent.
+        """
+        return shell_properties(self.vertices, self.indices, self.offsets, thickness, density)
 
     def transformed(self, matrix: ArrayLike) -> Polyhedron:
         """The body mapped by a homogeneous matrix (4, 4), r → A r + t; mirrored faces are turned again.

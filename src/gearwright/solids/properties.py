@@ -11,12 +11,14 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array, ArrayLike
-from ..errors import GeometryError, ParameterError, Problem
+from ..errors import GeometryError, Problem
 from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
 from ..placement import require_rotation
+from ..rotations import quaternion_of
 from .extent import Extent
 from .principal import principal_axes
+from .sound_values import fixed_array, require_finite, sound_density
 
 _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
 """From the best to the coarsest; a sum is as good as its coarsest part."""
@@ -56,14 +58,14 @@ class MassProperties:
     evaluations: int = 0
 
     def __post_init__(self) -> None:
-        second = _fixed(self.central_second, (3, 3))
+        second = fixed_array(self.central_second, (3, 3))
         values = {
             "volume": float(self.volume),
-            "centroid": _fixed(self.centroid, (3,)),
-            "central_second": _fixed((second + second.T) / 2.0, (3, 3)),
-            "density": _density(self.density),
+            "centroid": fixed_array(self.centroid, (3,)),
+            "central_second": fixed_array((second + second.T) / 2.0, (3, 3)),
+            "density": sound_density(self.density),
         }
-        _require_finite(values)
+        require_finite(values)
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
@@ -129,6 +131,11 @@ class MassProperties:
         return self.second_moment[[0, 1, 2], [1, 2, 0]]
 
     @property
+    def central_products(self) -> Array:
+        """Products of inertia +∫xy dm, +∫yz dm, +∫zx dm about the centroid (3,)."""
+        return self.density * self.central_second[[0, 1, 2], [1, 2, 0]]
+
+    @property
     def principal_moments(self) -> Array:
         """Principal moments of inertia about the centroid (3,), ascending."""
         axes = self.principal_axes
@@ -140,9 +147,22 @@ class MassProperties:
         return principal_axes(self.central_inertia)
 
     @property
+    def principal_quaternion(self) -> Array:
+        """Unit quaternion (w, x, y, z), w ≥ 0, that turns the frame's axes into the principal ones.
+
+        Its matrix is `principal_axes`: it takes components along the principal axes to components in the frame.
+        """
+        return quaternion_of(self.principal_axes)
+
+    @property
     def radii_of_gyration(self) -> Array:
         """√(principal moment / mass), about the principal axes through the centroid (3,)."""
         return np.sqrt(np.maximum(self.principal_moments, 0.0) / self.mass)
+
+    @property
+    def central_radii_of_gyration(self) -> Array:
+        """√(Ixx / mass), √(Iyy / mass), √(Izz / mass), about the frame's axes through the centroid (3,)."""
+        return np.sqrt(np.maximum(np.diag(self.central_inertia), 0.0) / self.mass)
 
     @property
     def moments(self) -> Array:
@@ -151,7 +171,7 @@ class MassProperties:
 
     def about(self, point: ArrayLike) -> Array:
         """Inertia tensor about a point (3,), axes parallel to the frame; off-diagonals minus the products."""
-        arm = self.centroid - _fixed(point, (3,))
+        arm = self.centroid - fixed_array(point, (3,))
         return self.central_inertia + self.mass * inertia_tensor(np.outer(arm, arm))
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> MassProperties:
@@ -160,7 +180,7 @@ class MassProperties:
         The bounding box is kept where R only exchanges axes, else dropped: it does not follow from the box.
         Raises GeometryError if R is not a rotation (for mirroring and scaling, transform the body itself).
         """
-        matrix, shift = require_rotation(rotation, _RIGID), _fixed(translation, (3,))
+        matrix, shift = require_rotation(rotation, _RIGID), fixed_array(translation, (3,))
         return replace(
             self,
             centroid=matrix @ self.centroid + shift,
@@ -237,13 +257,15 @@ class MassProperties:
         return tuple(problems)
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything by name as plain numbers and lists, for JSON; `products` named xy, yz, zx."""
+        """Everything by name as plain numbers and lists, for JSON; products named xy, yz, zx."""
         names = (
-            "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
-            " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
+            "volume mass density centroid first_moment second_moment inertia central_inertia products central_products"
+            " principal_moments principal_axes principal_quaternion radii_of_gyration central_radii_of_gyration moments"
+            " area bounding_box method error_bound evaluations"
         )
         values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
-        values["products"] = dict(zip(("xy", "yz", "zx"), self.products.tolist(), strict=True))
+        for name in ("products", "central_products"):
+            values[name] = dict(zip(("xy", "yz", "zx"), values[name].tolist(), strict=True))
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
 
 
@@ -257,35 +279,6 @@ def _joint_extent(one: MassProperties, other: MassProperties) -> Extent:
 
 def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
     return whole.extent.without(part.extent)
-
-
-def _fixed(values: ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = np.array(values, dtype=float)
-    if array.shape != shape:
-        raise GeometryError(
-            "This is not a vector or tensor in space", [Problem(f"shape {array.shape}", f"{shape} is needed")]
-        )
-    array.flags.writeable = False
-    return array
-
-
-def _density(density: object) -> float:
-    if not (isinstance(density, int | float | np.number) and math.isfinite(density) and density > 0):
-        raise ParameterError(
-            "MassProperties",
-            [Problem(f"density = {density!r}", "a positive number is needed: mass per cubed length unit")],
-        )
-    return float(density)
-
-
-def _require_finite(values: dict[str, Any]) -> None:
-    problems = [
-        Problem(f"{name} = {value}", "finite numbers are needed; the boundary may be open or of no volume")
-        for name, value in values.items()
-        if value is not None and not np.all(np.isfinite(value))
-    ]
-    if problems:
-        raise ParameterError("MassProperties", problems)
 
 
 def _combined_error(a: MassProperties, b: MassProperties, volume: float, second: Array) -> float:

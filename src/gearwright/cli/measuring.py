@@ -1,0 +1,205 @@
+"""The bodies of one file measured: what every worker does with a file, and what it answers."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial, reduce
+from pathlib import Path
+
+from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
+from ..files import formats
+from ..parameters import LENGTH_UNITS, did_you_mean
+from ..solids.extent import Extent
+from ..solids.model import Model
+from ..solids.polyhedron import Polyhedron
+from ..solids.properties import MassProperties
+from .built import Units, units_and_density
+from .exits import explained
+
+STANDARD_INPUT = Path("-")
+"""Stands for what is piped in."""
+
+ALLOWED: tuple[str, ...] = ()
+"""Kinds of defects that `Polyhedron.properties` can let pass."""
+
+ALL_BODIES = ""
+"""Stands for every body that is not named, where densities are given by name."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question:
+    """What is asked of every file.
+
+    length_unit      of files that state none; None for mm
+    densities        kg/m³ by the name of a body, ALL_BODIES for the others
+    thickness        of a shell in the file's lengths; None for solids, or where a surface density is given
+    surface_density  kg/m² of a shell
+    subtracted       files whose bodies are taken away
+    allow            defects that are let pass
+    """
+
+    length_unit: str | None = None
+    densities: Mapping[str, float] = field(default_factory=dict)
+    thickness: float | None = None
+    surface_density: float | None = None
+    subtracted: tuple[Path, ...] = ()
+    allow: tuple[str, ...] = ()
+
+    @property
+    def of_shells(self) -> bool:
+        return self.thickness is not None or self.surface_density is not None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measured:
+    """The properties of a file's bodies.
+
+    file      its name; None for several files together
+    together  all bodies as one
+    bodies    each by its name; of one body only itself
+    remarks   what a reader should know of, in words
+    """
+
+    file: str | None
+    units: Units
+    together: MassProperties
+    bodies: Mapping[str, MassProperties]
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Failure:
+    """Why a file has no properties: the exit code and the message."""
+
+    code: int
+    message: str
+
+
+Answer = Measured | Failure
+
+
+def answer(file: Path, question: Question) -> Answer:
+    """A file's properties, or why there are none: never an exception but an interrupt."""
+    try:
+        return measured(file, question)
+    except Exception as error:  # noqa: BLE001  it must travel between processes, as its code and message
+        subject = "standard input" if file == STANDARD_INPUT else str(file)
+        code, message = explained(error, f"gearwright properties {file}", subject=subject)
+        return Failure(code=code, message=message)
+
+
+def measured(file: Path, question: Question) -> Measured:
+    """A file's properties. Raises GearwrightError where it cannot be read or measured as asked."""
+    model = _model(file)
+    unit = _unit(file, model.length_unit, question.length_unit)
+    densities = densities_by_body(model.bodies, question.densities)
+    bodies, together, remarks = _apart_and_together(model, densities, unit, question)
+    units = _units(unit, densities, question)
+    for other in question.subtracted:
+        together = _without(together, other, unit, densities, question)
+    return Measured(file=str(file), units=units, together=together, bodies=bodies, remarks=(*model.remarks, *remarks))
+
+
+def densities_by_body(bodies: Collection[str], given: Mapping[str, float]) -> dict[str, float | None]:
+    """Density in kg/m³ of every body, None where no density is given at all.
+
+    Raises ProblemsError where a name is no body's, or a body is left without a density.
+    """
+    there_are = f"there are {_named(bodies)}"
+    problems = [
+        Problem(f"{name} = {given[name]:g} kg/m³", f"no body has this name{did_you_mean(name, bodies)}; {there_are}")
+        for name in given
+        if name != ALL_BODIES and name not in bodies
+    ]
+    found = {name: given.get(name, given.get(ALL_BODIES)) for name in bodies}
+    bare = [name for name, value in found.items() if value is None]
+    if given and bare and not problems:
+        problems = [Problem(_named(bare), "no density is given; one without a name goes for all other bodies")]
+    if problems:
+        raise ProblemsError("These densities do not go with the bodies", problems)
+    return found
+
+
+def _model(file: Path) -> Model:
+    return Model.of(formats.read_stream(sys.stdin.buffer)) if file == STANDARD_INPUT else Model.load(file)
+
+
+def _unit(file: Path, stated: str | None, asked: str | None) -> str:
+    """The unit that the file states, else the one asked for, else mm. Raises FileError where they differ."""
+    if stated and asked and stated != asked:
+        raise FileError(f"{file}: it says itself that lengths are in {stated}, not {asked}; leave out --length-unit")
+    return stated or asked or "mm"
+
+
+def _units(unit: str, densities: Mapping[str, float | None], question: Question) -> Units:
+    if question.surface_density is not None:
+        return Units(length=unit, mass="kg", has_volume=False)
+    units, _ = units_and_density(unit, next(iter(densities.values()), None))
+    return units
+
+
+def _apart_and_together(
+    model: Model, densities: Mapping[str, float | None], unit: str, question: Question
+) -> tuple[dict[str, MassProperties], MassProperties, list[str]]:
+    """Every body, all as one, and remarks. Bodies that close only together are one."""
+    whole, remarks = model.polyhedron, []
+    first = next(iter(densities.values()))
+    like = len(set(densities.values())) == 1
+    try:
+        bodies = {name: _properties(body, densities[name], unit, question) for name, body in model.bodies.items()}
+    except GeometryError as error:
+        if len(model.bodies) == 1:
+            raise
+        whole = model.joined
+        bodies = {", ".join(model.bodies): _properties(whole, first, unit, question)}
+        if not like:
+            raise ProblemsError("Bodies of different densities must close by themselves", error.problems) from None
+        remarks = [f"its {len(model.bodies)} bodies close only together and are taken as one"]
+    remarks += [str(one) for one in whole.validity().remarks] if not question.of_shells else []
+    if len(bodies) == 1:
+        return bodies, next(iter(bodies.values())), remarks
+    together = _properties(whole, first, unit, question)
+    if not like:
+        summed = reduce(MassProperties.__add__, bodies.values())
+        together = replace(summed, find_extent=partial(Extent, *together.extent))
+    return bodies, together, remarks
+
+
+def _properties(polyhedron: Polyhedron, density: float | None, unit: str, question: Question) -> MassProperties:
+    """Of a solid or a shell; its density in kg/m³ or None. What is found late is found here, to travel light."""
+    if question.surface_density is not None:
+        per_area = question.surface_density / (1e3 / LENGTH_UNITS[unit]) ** 2
+        found = polyhedron.shell_properties(1.0, per_area)
+    elif question.thickness is not None:
+        found = polyhedron.shell_properties(question.thickness, units_and_density(unit, density)[1])
+    else:
+        found = polyhedron.properties(units_and_density(unit, density)[1])
+    return replace(found, find_extent=partial(Extent, *found.extent))
+
+
+def _without(
+    whole: MassProperties, part: Path, unit: str, densities: Mapping[str, float | None], question: Question
+) -> MassProperties:
+    """A body without the bodies of another file, which are of its density and unit."""
+    if len(set(densities.values())) > 1:
+        problem = Problem(f"--subtract {part}", "its density is not known where the bodies have several")
+        raise ProblemsError("This cannot be taken away", [problem])
+    try:
+        model = Model.load(part)
+        own = model.length_unit or unit
+        if own != unit:
+            raise FileError(f"{part}: its lengths are in {own}, not {unit}; files of one unit are needed")
+        taken = _properties(model.polyhedron, next(iter(densities.values())), unit, question)
+    except GearwrightError as error:
+        if str(error).startswith(str(part)):
+            raise
+        raise FileError(f"--subtract {part}: {error}") from error
+    return whole - taken
+
+
+def _named(names: Collection[str]) -> str:
+    shown = list(names)[:20]
+    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
+    return ", ".join(shown) + more
