@@ -35,7 +35,8 @@ def expanded(
     roots, children   keys and the matrices (4, 4) that place them in what holds them; points are columns
     Raises FileError, naming the file, where nodes hold themselves, are too deep or too many.
     """
-    stack: list[tuple[tuple[Key, ...], Array]] = [((key,), matrix) for key, matrix in roots][::-1]
+    stack: list[tuple[tuple[Key, ...], Array]] = []
+    stack.extend(((key,), matrix) for key, matrix in reversed(list(roots)))
     count = len(stack)
     while stack:
         path, matrix = stack.pop()
@@ -96,5 +97,6 @@ def _mapped(name: str, body: Body, matrix: Array) -> Body:
         body,
         vertices=vertices,
         indices=body.indices.reshape(-1, 3)[:, ::-1].reshape(-1) if mirrors else body.indices,
+        smooth=body.smooth and body.smooth.mapped(linear, shift),
         rounding=body.rounding * float(np.abs(linear).sum(axis=1).max()),
     )
