@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -19,7 +20,6 @@ from OCP.BRepPrimAPI import (
 )
 from OCP.GeomAPI import GeomAPI_Interpolate
 from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
-from OCP.Interface import Interface_Static
 from OCP.STEPCAFControl import STEPCAFControl_Writer
 from OCP.TCollection import TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
@@ -29,23 +29,23 @@ from OCP.XCAFDoc import XCAFDoc_DocumentTool
 from scipy.integrate import quad
 
 from gearwright.errors import FileError, MachineError
-from gearwright.files.step import faces, kernel, quadrature, solids
+from gearwright.files.contents import Contents
+from gearwright.files.instances import placed
+from gearwright.files.step import exchange, faces, kernel, quadrature, reading, solids
 from gearwright.moments.faces import Corners
 from gearwright.solids.model import Model
 from gearwright.solids.polyhedron import Polyhedron
 
 
-def written(path, fill, unit="MM"):
+def written(path, fill):
     """The bytes of a STEP file of a document that `fill` fills."""
     kernel.kernel()  # which silences what the writer prints
     document = TDocStd_Document(TCollection_ExtendedString("test"))
     fill(XCAFDoc_DocumentTool.ShapeTool_s(document.Main()))
     writer = STEPCAFControl_Writer()
-    Interface_Static.SetCVal_s("write.step.unit", unit)
     writer.SetNameMode(True)
     assert writer.Transfer(document)
     writer.Write(str(path))
-    Interface_Static.SetCVal_s("write.step.unit", "MM")
     return path.read_bytes()
 
 
@@ -55,8 +55,15 @@ def named(tool, shape, name):
     return label
 
 
-def file_of(path, shape, name="part", unit="MM"):
-    return written(path, lambda tool: named(tool, shape, name), unit)
+def file_of(path, shape, name="part"):
+    return written(path, lambda tool: named(tool, shape, name))
+
+
+def in_one_process(data):
+    """As `reading.parse` does, without the second process that crashes in place of this one."""
+    found = exchange.unpacked(exchange.packed(solids.found_in(data, "part.step")))
+    bodies = tuple(placed("part.step", ((found.bodies[number], matrix) for number, matrix in found.placements)))
+    return Contents(bodies=bodies, length_unit="mm", remarks=found.remarks)
 
 
 def polyhedron(body):
@@ -90,18 +97,21 @@ def spline_area():
         return 0.5 * (point.X() * derivative.Y() - point.Y() * derivative.X())
 
     knots = [curve.Knot(k) for k in range(1, curve.NbKnots() + 1)]
-    return sum(quad(integrand, a, b, epsabs=1e-12)[0] for a, b in zip(knots, knots[1:], strict=False))
+    return sum(quad(integrand, a, b, epsabs=1e-12)[0] for a, b in pairwise(knots))
 
 
 # volume, centroid, diagonal of the second moment about it; None where no closed form is at hand
 SHAPES = {
     "box": (lambda: BRepPrimAPI_MakeBox(2, 3, 5).Shape(), 30, (1, 1.5, 2.5), (10, 22.5, 62.5)),
-    "sphere": (lambda: BRepPrimAPI_MakeSphere(7).Shape(), 4 / 3 * math.pi * 343, (0, 0, 0), (4 / 15 * math.pi * 7**5,) * 3),
+    "sphere": (
+        lambda: BRepPrimAPI_MakeSphere(7).Shape(), 4 / 3 * math.pi * 343, (0, 0, 0), (4 / 15 * math.pi * 7**5,) * 3
+    ),
     "half sphere": (
         lambda: BRepPrimAPI_MakeSphere(7, 0, math.pi / 2).Shape(), 2 / 3 * math.pi * 343, (0, 0, 21 / 8), None
     ),
     "cylinder": (
-        lambda: BRepPrimAPI_MakeCylinder(3, 8).Shape(), 72 * math.pi, (0, 0, 4), (162 * math.pi, 162 * math.pi, 384 * math.pi)
+        lambda: BRepPrimAPI_MakeCylinder(3, 8).Shape(), 72 * math.pi, (0, 0, 4),
+        (162 * math.pi, 162 * math.pi, 384 * math.pi),
     ),
     "cone": (
         lambda: BRepPrimAPI_MakeCone(4, 0, 6).Shape(), 32 * math.pi, (0, 0, 1.5),
@@ -118,7 +128,7 @@ def read(tmp_path_factory):
     @cache
     def read(name):
         path = tmp_path_factory.mktemp("step") / "shape.step"
-        return solids.parse(file_of(path, SHAPES[name][0](), name), str(path))
+        return in_one_process(file_of(path, SHAPES[name][0](), name))
 
     return read
 
@@ -130,7 +140,7 @@ def test_solids_are_closed_and_within_the_tolerance(read, name):
     (body,) = contents.bodies
     assert (body.name, contents.length_unit) == (name, "mm")
     found = polyhedron(body)
-    assert found.validity().ok
+    assert found.validity().valid
     diagonal = np.linalg.norm(found.vertices.max(axis=0) - found.vertices.min(axis=0))
     properties = found.properties()
     # a layer of the tolerance all over, and of twice the diagonal as the kernel bounds splines by their poles
@@ -184,30 +194,35 @@ def test_assemblies_are_expanded(tmp_path):
     np.testing.assert_allclose(second.vertices.min(axis=0), [99, 0, 0], atol=1e-12)
     np.testing.assert_allclose(second.vertices.max(axis=0), [100, 10, 1], atol=1e-12)
     assert second.properties().volume == pytest.approx(10, rel=1e-13)
-    body = solids.parse(written(tmp_path / "x", assembly), "x").bodies[1]
+    body = in_one_process(written(tmp_path / "x", assembly)).bodies[1]
     np.testing.assert_allclose(body.smooth.centroid, [99.5, 5, 0.5], atol=1e-12)
     np.testing.assert_allclose(np.diag(body.smooth.second_moment), [10 / 12, 1000 / 12, 10 / 12], rtol=1e-12)
 
 
+MILLIMETRE = b"( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )"
+INCH = b"""( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9002) );
+#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9003);
+#9002 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);
+#9003 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )"""
+
+
 def test_inches_become_millimetres(tmp_path):
-    shape = BRepPrimAPI_MakeBox(25.4, 50.8, 76.2).Shape()
-    data = file_of(tmp_path / "x", shape, unit="IN")
-    assert b"INCH" in data
-    contents = solids.parse(data, "x")
-    assert contents.length_unit == "mm"
-    assert "lengths in inch converted to millimetres" in contents.remarks
-    (body,) = contents.bodies
-    np.testing.assert_allclose(body.vertices.max(axis=0), [25.4, 50.8, 76.2], rtol=1e-12)
-    millimetres = solids.parse(file_of(tmp_path / "x", shape), "x")
+    data = file_of(tmp_path / "x", BRepPrimAPI_MakeBox(1, 2, 3).Shape())
+    assert data.count(MILLIMETRE) == 1
+    millimetres, inches = in_one_process(data), in_one_process(data.replace(MILLIMETRE, INCH))
+    assert inches.length_unit == millimetres.length_unit == "mm"
+    assert "lengths in inch converted to millimetres" in inches.remarks
     assert not any("converted" in remark for remark in millimetres.remarks)
-    np.testing.assert_allclose(millimetres.bodies[0].vertices, body.vertices, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(inches.bodies[0].vertices.max(axis=0), [25.4, 50.8, 76.2], rtol=1e-12)
+    np.testing.assert_allclose(millimetres.bodies[0].vertices.max(axis=0), [1, 2, 3], rtol=1e-12)
+    assert inches.bodies[0].smooth.volume == pytest.approx(6 * 25.4**3, rel=1e-12)
 
 
 def test_surfaces_of_no_solid_are_left_out(tmp_path):
     wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline_curve()).Edge()).Wire()
     face = BRepBuilderAPI_MakeFace(wire).Face()
-    with pytest.raises(FileError, match="without a solid.*1 faces of no solid left out.*join its surfaces"):
-        solids.parse(file_of(tmp_path / "x", face), "x")
+    with pytest.raises(FileError, match=r"without a solid.*1 faces of no solid left out.*join its surfaces"):
+        in_one_process(file_of(tmp_path / "x", face))
 
 
 def test_a_quadrature_that_the_triangles_contradict_is_not_used(tmp_path, monkeypatch):
@@ -216,7 +231,7 @@ def test_a_quadrature_that_the_triangles_contradict_is_not_used(tmp_path, monkey
         return right.mapped(np.eye(3) * 1.01, np.zeros(3))
 
     monkeypatch.setattr(solids, "smooth_properties", wrong)
-    contents = solids.parse(file_of(tmp_path / "x", BRepPrimAPI_MakeSphere(7).Shape()), "x")
+    contents = in_one_process(file_of(tmp_path / "x", BRepPrimAPI_MakeSphere(7).Shape()))
     assert contents.bodies[0].smooth is None
     assert any("the quadrature is not used" in remark for remark in contents.remarks)
 
@@ -240,7 +255,7 @@ def test_plain_gauss_is_not_used_on_splines(read):
         (lambda data: b"", 'not a STEP file, which begins with "ISO-10303-21;"'),
         (lambda data: b"junk", "not a STEP file"),
         (lambda data: data[: len(data) // 2], "does not end with"),
-        (lambda data: data[: len(data) // 2] + b"\nENDSEC;\nEND-ISO-10303-21;\n", "cannot read this STEP file"),
+        (lambda data: data[: len(data) // 2] + b"\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
         (lambda data: b"ISO-10303-21;\nEND-ISO-10303-21;\n", "cannot read this STEP file"),
         (lambda data: data[: data.index(b"DATA;")] + b"DATA;\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
     ],
@@ -248,7 +263,7 @@ def test_plain_gauss_is_not_used_on_splines(read):
 def test_refusals(tmp_path, spoil, said, capfd):
     data = file_of(tmp_path / "x", BRepPrimAPI_MakeBox(1, 1, 1).Shape())
     with pytest.raises(FileError, match=said) as caught:
-        solids.parse(spoil(data), "some/part.step")
+        reading.parse(spoil(data), "some/part.step")
     assert str(caught.value).startswith("some/part.step: ")
     assert capfd.readouterr() == ("", "")
 
@@ -259,7 +274,20 @@ def test_without_the_extra(tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, module, None)
     kernel.kernel.cache_clear()
     with pytest.raises(MachineError, match=r"pip install 'gearwright\[step\]'"):
-        solids.parse(data, "part.step")
+        in_one_process(data)
     monkeypatch.undo()
     kernel.kernel.cache_clear()
-    assert len(solids.parse(data, "part.step").bodies) == 1
+    assert len(in_one_process(data).bodies) == 1
+
+
+def test_what_crashes_the_kernel_or_keeps_it_is_refused(tmp_path, monkeypatch):
+    data = file_of(tmp_path / "x", BRepPrimAPI_MakeBox(1, 1, 1).Shape())
+    monkeypatch.setattr(reading, "LEAST_SECONDS", 0.05)
+    with pytest.raises(FileError, match=r"part.step: Open CASCADE was not done with this STEP file after 1 s"):
+        reading.parse(data, "part.step")
+    monkeypatch.undo()
+    (tmp_path / "OCP").mkdir()
+    (tmp_path / "OCP" / "__init__.py").write_text("import os\nos.abort()\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(FileError, match=r"part.step: Open CASCADE crashed on this STEP file \(exit code -6"):
+        reading.parse(data, "part.step")

@@ -51,7 +51,7 @@ FILE_FORMATS = (
         name="STEP",
         summary="smooth solids, read as polyhedra to a tolerance (extra step)",
         suffixes=(".step", ".stp"),
-        parser="gearwright.files.step.solids:parse",
+        parser="gearwright.files.step.reading:parse",
     ),
 )
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import re
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, final
 
@@ -13,10 +12,7 @@ from ...arrays import Array
 from ...errors import FileError
 from .kernel import kernel
 
-_START = re.compile(rb"\s*ISO-10303-21\s*;")
-_END = b"END-ISO-10303-21"
 _LONGEST = 200  # characters of a name that are kept
-_SAMPLE = 4096
 
 
 class Part(NamedTuple):
@@ -33,8 +29,7 @@ class Document:
     """A STEP file transferred into Open CASCADE. All lengths are millimetres, whatever the file's unit."""
 
     def __init__(self, data: bytes, file: str):
-        """Raises FileError if the data are no whole STEP file; MachineError without Open CASCADE."""
-        _require_whole(data, file)
+        """Raises FileError if Open CASCADE reads no shapes from the data; MachineError without it."""
         kernel()
         from OCP.IFSelect import IFSelect_RetDone
         from OCP.Interface import Interface_Static
@@ -104,21 +99,6 @@ class Document:
 
         label, referred = self._labels[part], TDF_Label()
         return referred if self._tool.GetReferredShape_s(label, referred) else label
-
-
-def _require_whole(data: bytes, file: str) -> None:
-    if not _START.match(_COMMENT.sub(b"", data[:_SAMPLE].removeprefix(b"\xef\xbb\xbf"))):
-        raise FileError(
-            f'{file}: not a STEP file, which begins with "ISO-10303-21;"; it is of another kind or damaged;'
-            " export it again"
-        )
-    if _END not in data[-_SAMPLE:]:
-        raise FileError(
-            f'{file}: a STEP file that does not end with "END-ISO-10303-21;"; it is cut off; copy or export it again'
-        )
-
-
-_COMMENT = re.compile(rb"/\*.*?\*/", re.DOTALL)
 
 
 def _unreadable(file: str, reason: str) -> FileError:

@@ -1,4 +1,4 @@
-"""Bodies of a STEP file: one for every placed solid."""
+"""Solids of a STEP file, and how often it places each."""
 
 from __future__ import annotations
 
@@ -12,30 +12,26 @@ from ...arrays import Array
 from ...errors import FileError
 from ...moments.faces import triangle_vectors
 from ...moments.polyhedron import polyhedron_moments
-from ..contents import Body, Contents, Data
-from ..instances import expanded, placed
+from ..contents import Body
+from ..instances import expanded
 from .document import Document, Part, subshapes
+from .exchange import Found
 from .faces import DEFLECTION, triangulated
 from .quadrature import smooth_properties
 
 _MILLIMETRES = ("millimetre", "millimeter", "mm")
 
 
-def parse(data: Data, name: str) -> Contents:
-    """The solids of a STEP file as polyhedra, in millimetres, assemblies expanded, with their smooth properties.
-
-    A polyhedron's points lie on the smooth faces, its triangles within DEFLECTION of the solid's bounding diagonal.
-    Neighbouring faces share their points, so it is closed wherever the solid is. Colours and surfaces of no solid are left out.
-    Raises FileError if the data are no whole STEP file with a solid; MachineError without the extra `step`.
-    """
-    solids = _Solids(Document(bytes(data), name), name)
-    bodies = tuple(placed(name, solids.bodies()))
-    if not bodies:
+def found_in(data: bytes, name: str) -> Found:
+    """The solids of a STEP file. Raises FileError if it has none; MachineError without the extra `step`."""
+    solids = _Solids(Document(data, name), name)
+    placements = tuple(solids.placements())
+    if not placements:
         raise FileError(
             f"{name}: a STEP file without a solid: {', '.join(solids.remarks()) or 'no shapes'}; join its surfaces to a"
             " solid and export it again"
         )
-    return Contents(bodies=bodies, length_unit="mm", remarks=solids.remarks())
+    return Found(bodies=tuple(solids.bodies), placements=placements, remarks=solids.remarks())
 
 
 @final
@@ -44,28 +40,32 @@ class _Solids:
 
     def __init__(self, document: Document, name: str):
         self._document, self._name = document, name
-        self._cut: dict[str, tuple[Body, ...]] = {}
+        self.bodies: list[Body] = []
+        self._numbers: dict[str, range] = {}
         self._tolerance = 0.0
         self._remarks: list[str] = []
         other = [unit for unit in document.units if unit not in _MILLIMETRES]
         if other:
             self._remarks.append(f"lengths in {', '.join(other)} converted to millimetres")
 
-    def bodies(self) -> Iterator[tuple[Body, Array]]:
-        """Solids with their matrices, in the order of the file."""
+    def placements(self) -> Iterator[tuple[int, Array]]:
+        """Numbers of solids with their matrices, in the order of the file."""
         for path, matrix in expanded(self._name, self._document.roots(), self._document.children):
-            for body in self._of(path[-1]):
-                yield body, matrix
+            for number in self._of(path[-1]):
+                yield number, matrix
 
     def remarks(self) -> tuple[str, ...]:
         read = f"smooth faces read as triangles within {self._tolerance:.3g} mm ({DEFLECTION:g} of a body's diagonal)"
         return (read, *self._remarks) if self._tolerance else tuple(self._remarks)
 
-    def _of(self, part: Part) -> tuple[Body, ...]:
+    def _of(self, part: Part) -> range:
+        """Numbers of the solids of a part."""
         key = self._document.shape_key(part)
-        if key not in self._cut:
-            self._cut[key] = tuple(self._bodies_of(part))
-        return self._cut[key]
+        if key not in self._numbers:
+            first = len(self.bodies)
+            self.bodies.extend(self._bodies_of(part))
+            self._numbers[key] = range(first, len(self.bodies))
+        return self._numbers[key]
 
     def _bodies_of(self, part: Part) -> Iterator[Body]:
         from OCP.TopAbs import TopAbs_SOLID
