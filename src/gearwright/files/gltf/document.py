@@ -9,6 +9,7 @@ from typing import Any, NoReturn, final
 from ...errors import FileError
 
 _LONGEST = 200  # characters of a text that are kept
+_MOST = 2**53  # what any JSON reader has exactly
 _DEEPEST = "nested too deeply to be read"
 
 
@@ -47,13 +48,14 @@ class Value:
         """Its `name`, cut to a length that a table can show."""
         return self.text("name")[:_LONGEST]
 
-    def whole(self, key: str, default: int | None = None, *, least: int = 0, most: int = 2**53) -> int:
+    def whole(self, key: str, default: int | None = None, *, least: int = 0, most: int = _MOST) -> int:
         """A whole number from least to most that is a member; without a default it must be there."""
         found = self._object().get(key, default)
         if isinstance(found, float) and found.is_integer():
             found = int(found)
         if not isinstance(found, int) or isinstance(found, bool) or not least <= found <= most:
-            return self._refuse(key, f"a whole number from {least} to {most}", found)
+            to_most = f" to {most}" if most < _MOST else ""
+            return self._refuse(key, f"a whole number from {least}{to_most}", found)
         return found
 
     def flag(self, key: str) -> bool:
@@ -90,7 +92,7 @@ class Value:
     def _refuse(self, key: str, wanted: str, found: Any) -> NoReturn:
         place = f"{self.place}.{key}".lstrip(".")
         what = "it is missing" if found is None else f"not {_shown(found)}"
-        raise Value(found, self._file, place).error(f"{wanted} is needed, {what}; write the file again")
+        raise Value(found, self._file, place).error(f"needs {wanted}, {what}; write the file again")
 
 
 def document(data: bytes, file: str) -> Value:
