@@ -256,6 +256,7 @@ def test_plain_gauss_is_not_used_on_splines(read):
         (lambda data: b"junk", "not a STEP file"),
         (lambda data: data[: len(data) // 2], "does not end with"),
         (lambda data: data[: len(data) // 2] + b"\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
+        (lambda data: data.replace(b"CARTESIAN_POINT('',", b"CARTESIAN_POINT(''", 1), "not a whole STEP file: Line"),
         (lambda data: b"ISO-10303-21;\nEND-ISO-10303-21;\n", "cannot read this STEP file"),
         (lambda data: data[: data.index(b"DATA;")] + b"DATA;\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
     ],
@@ -266,6 +267,15 @@ def test_refusals(tmp_path, spoil, said, capfd):
         reading.parse(spoil(data), "some/part.step")
     assert str(caught.value).startswith("some/part.step: ")
     assert capfd.readouterr() == ("", "")
+
+
+def test_faulty_entities_are_remarked(tmp_path):
+    """A product's context that is none; the shape does not need it."""
+    data = file_of(tmp_path / "x", BRepPrimAPI_MakeBox(1, 1, 1).Shape())
+    start = data.index(b"PRODUCT_CONTEXT('',#") + len(b"PRODUCT_CONTEXT('',#")
+    contents = in_one_process(data[:start] + b"9" + data[start:])
+    assert any("1 entities of the file are faulty" in remark for remark in contents.remarks)
+    assert contents.bodies[0].smooth.volume == pytest.approx(1, rel=1e-12)
 
 
 def test_without_the_extra(tmp_path, monkeypatch):

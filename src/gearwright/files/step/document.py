@@ -33,6 +33,7 @@ class Document:
         kernel()
         from OCP.IFSelect import IFSelect_RetDone
         from OCP.Interface import Interface_Static
+        from OCP.Standard import Standard_Failure
         from OCP.STEPCAFControl import STEPCAFControl_Reader
         from OCP.TCollection import TCollection_ExtendedString
         from OCP.TDocStd import TDocStd_Document
@@ -47,8 +48,10 @@ class Document:
         self._document = TDocStd_Document(TCollection_ExtendedString("STEP"))
         try:
             done = reader.ReadStream("STEP", io.BytesIO(data)) == IFSelect_RetDone
+            self.faults = _faults(reader) if done else ()
+            _refuse_syntax_errors(self.faults, file)
             done = done and reader.Transfer(self._document)
-        except Exception as error:  # noqa: BLE001 - the binding makes an exception type of every C++ one
+        except Standard_Failure as error:
             raise _unreadable(file, f" ({str(error)[:100]})") from None
         if not done:
             raise _unreadable(file, "")
@@ -106,6 +109,32 @@ def _unreadable(file: str, reason: str) -> FileError:
         f"{file}: Open CASCADE cannot read this STEP file{reason}; it is damaged or of a kind that has no shapes;"
         " export it again as AP203, AP214 or AP242"
     )
+
+
+class Fault(NamedTuple):
+    """What is wrong with an entity, by its number in the order of the file; 0 stands for the file's syntax."""
+
+    entity: int
+    text: str
+
+
+def _faults(reader: Any) -> tuple[Fault, ...]:
+    checks = reader.ChangeReader().WS().ModelCheckList(True)
+    found = []
+    checks.Start()
+    while checks.More():
+        if checks.Value().HasFailed():
+            found.append(Fault(checks.Number(), str(checks.Value().CFail(1))))
+        checks.Next()
+    return tuple(found)
+
+
+def _refuse_syntax_errors(faults: tuple[Fault, ...], file: str) -> None:
+    """Open CASCADE would leave out the entities concerned and go on."""
+    for fault in faults:
+        if not fault.entity:
+            text = fault.text.removeprefix("Undefined Parsing: ")
+            raise FileError(f"{file}: not a whole STEP file: {text[:160]}; it is damaged; copy or export it again")
 
 
 def _length_units(reader: Any) -> tuple[str, ...]:

@@ -44,6 +44,12 @@ class _Solids:
         self._numbers: dict[str, range] = {}
         self._tolerance = 0.0
         self._remarks: list[str] = []
+        if document.faults:
+            count, first = len(document.faults), document.faults[0]
+            self._remarks.append(
+                f"{count} entities of the file are faulty, the first is the {first.entity}th ({first.text[:100]}); what"
+                " needs them may be missing"
+            )
         other = [unit for unit in document.units if unit not in _MILLIMETRES]
         if other:
             self._remarks.append(f"lengths in {', '.join(other)} converted to millimetres")
