@@ -141,6 +141,7 @@ def test_solids_are_closed_and_within_the_tolerance(read, name):
     assert (body.name, contents.length_unit) == (name, "mm")
     found = polyhedron(body)
     assert found.validity().valid
+    assert (np.diff(np.sort(found.faces)) > 0).all()
     diagonal = np.linalg.norm(found.vertices.max(axis=0) - found.vertices.min(axis=0))
     properties = found.properties()
     # a layer of the tolerance all over, and of twice the diagonal as the kernel bounds splines by their poles
@@ -256,7 +257,7 @@ def test_plain_gauss_is_not_used_on_splines(read):
         (lambda data: b"junk", "not a STEP file"),
         (lambda data: data[: len(data) // 2], "does not end with"),
         (lambda data: data[: len(data) // 2] + b"\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
-        (lambda data: data.replace(b"CARTESIAN_POINT('',", b"CARTESIAN_POINT(''", 1), "not a whole STEP file: Line"),
+        (lambda data: data.replace(b"(0.,0.,0.));", b"(0.,0.,0.", 1), "not a whole STEP file: Line"),
         (lambda data: b"ISO-10303-21;\nEND-ISO-10303-21;\n", "cannot read this STEP file"),
         (lambda data: data[: data.index(b"DATA;")] + b"DATA;\nENDSEC;\nEND-ISO-10303-21;\n", "STEP file"),
     ],
@@ -274,7 +275,7 @@ def test_faulty_entities_are_remarked(tmp_path):
     data = file_of(tmp_path / "x", BRepPrimAPI_MakeBox(1, 1, 1).Shape())
     start = data.index(b"PRODUCT_CONTEXT('',#") + len(b"PRODUCT_CONTEXT('',#")
     contents = in_one_process(data[:start] + b"9" + data[start:])
-    assert any("1 entities of the file are faulty" in remark for remark in contents.remarks)
+    assert any("faults in the file" in remark for remark in contents.remarks)
     assert contents.bodies[0].smooth.volume == pytest.approx(1, rel=1e-12)
 
 

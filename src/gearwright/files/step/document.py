@@ -12,6 +12,7 @@ from ...arrays import Array
 from ...errors import FileError
 from .kernel import kernel
 
+_SYNTAX = "Undefined Parsing: "
 _LONGEST = 200  # characters of a name that are kept
 
 
@@ -112,7 +113,7 @@ def _unreadable(file: str, reason: str) -> FileError:
 
 
 class Fault(NamedTuple):
-    """What is wrong with an entity, by its number in the order of the file; 0 stands for the file's syntax."""
+    """What is wrong with an entity, by its number in the order of the file, 0 for the file itself."""
 
     entity: int
     text: str
@@ -120,11 +121,11 @@ class Fault(NamedTuple):
 
 def _faults(reader: Any) -> tuple[Fault, ...]:
     checks = reader.ChangeReader().WS().ModelCheckList(True)
-    found = []
+    found: list[Fault] = []
     checks.Start()
     while checks.More():
-        if checks.Value().HasFailed():
-            found.append(Fault(checks.Number(), str(checks.Value().CFail(1))))
+        check = checks.Value()
+        found.extend(Fault(checks.Number(), str(check.CFail(n))) for n in range(1, check.NbFails() + 1))
         checks.Next()
     return tuple(found)
 
@@ -132,8 +133,8 @@ def _faults(reader: Any) -> tuple[Fault, ...]:
 def _refuse_syntax_errors(faults: tuple[Fault, ...], file: str) -> None:
     """Open CASCADE would leave out the entities concerned and go on."""
     for fault in faults:
-        if not fault.entity:
-            text = fault.text.removeprefix("Undefined Parsing: ")
+        if fault.text.startswith(_SYNTAX):
+            text = fault.text.removeprefix(_SYNTAX)
             raise FileError(f"{file}: not a whole STEP file: {text[:160]}; it is damaged; copy or export it again")
 
 

@@ -45,10 +45,9 @@ class _Solids:
         self._tolerance = 0.0
         self._remarks: list[str] = []
         if document.faults:
-            count, first = len(document.faults), document.faults[0]
             self._remarks.append(
-                f"{count} entities of the file are faulty, the first is the {first.entity}th ({first.text[:100]}); what"
-                " needs them may be missing"
+                f"{len(document.faults)} faults in the file, the first is: {document.faults[0].text[:100]}; what needs the"
+                " entities concerned may be missing or misplaced"
             )
         other = [unit for unit in document.units if unit not in _MILLIMETRES]
         if other:
