@@ -46,8 +46,8 @@ class _Solids:
         self._remarks: list[str] = []
         if document.faults:
             self._remarks.append(
-                f"{len(document.faults)} faults in the file, the first is: {document.faults[0].text[:100]}; what needs the"
-                " entities concerned may be missing or misplaced"
+                f"{len(document.faults)} faults in the file, the first is: {document.faults[0].text[:100]}; what needs"
+                " the entities concerned may be missing or misplaced"
             )
         other = [unit for unit in document.units if unit not in _MILLIMETRES]
         if other:
