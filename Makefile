@@ -1,4 +1,5 @@
-# Needs python3 (3.11 or newer, with venv) and make; everything else is installed into .venv.
+# Needs python3 (3.11 or newer, with venv) and make; everything else is installed into .venv, what
+# speed is compared with into .venv-bench.
 #   make demo    build the 16/20 bevel pair, straight and spiral, and compare exact with polyhedral properties
 #   make test    run the tests
 #   make check   lint, format check, types, import layers
@@ -8,7 +9,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/installed
-BENCH_INSTALLED := $(VENV)/installed-bench
+BENCH_VENV := .venv-bench
+BENCH_INSTALLED := $(BENCH_VENV)/installed
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .PHONY: demo test check bench clean
@@ -27,18 +29,19 @@ check: $(INSTALLED)
 	$(BIN)/lint-imports
 
 bench: $(BENCH_INSTALLED)
-	@for benchmark in benchmarks/*.py; do echo "== $$benchmark"; $(BIN)/python "$$benchmark" || exit 1; done
+	@for benchmark in benchmarks/*.py; do echo "== $$benchmark"; $(BENCH_VENV)/bin/python "$$benchmark" || exit 1; done
 
 clean:
-	rm -rf $(VENV) out
+	rm -rf $(VENV) $(BENCH_VENV) out
 
 # The stamp is as new as pyproject.toml, so that a second run installs nothing.
 $(INSTALLED): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable '.[dev]'
 	@touch $@
 
-$(BENCH_INSTALLED): $(INSTALLED)
-	$(BIN)/python -m pip install --quiet --editable '.[dev,bench]'
+$(BENCH_INSTALLED): pyproject.toml | $(BIN)/python
+	@$(BIN)/python -m venv $(BENCH_VENV)
+	$(BENCH_VENV)/bin/python -m pip install --quiet --editable '.[bench]'
 	@touch $@
 
 $(BIN)/python:

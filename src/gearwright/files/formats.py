@@ -38,6 +38,24 @@ FILE_FORMATS = (
         parser="gearwright.files.stl:parse",
         writer="gearwright.files.stl:write",
     ),
+    FileFormat(
+        name="3MF",
+        summary="placed meshes with a unit, in a zip package",
+        suffixes=(".3mf",),
+        parser="gearwright.files.three_mf.bodies:parse",
+    ),
+    FileFormat(
+        name="glTF",
+        summary="a scene of meshes, as text or binary; lengths in metres",
+        suffixes=(".gltf", ".glb"),
+        parser="gearwright.files.gltf.scene:parse",
+    ),
+    FileFormat(
+        name="STEP",
+        summary="smooth solids, read as polyhedra to a tolerance (extra step)",
+        suffixes=(".step", ".stp"),
+        parser="gearwright.files.step.reading:parse",
+    ),
 )
 
 
