@@ -18,8 +18,8 @@ import numpy as np
 from ..arrays import Array, Indices
 from .compensated import RunningSum
 from .faces import face_vectors, fan_triangles, triangle_vectors
-from .matrix import central_second, moment_matrix
 from .indexed import bounding_box
+from .matrix import central_second, moment_matrix
 
 _ROUNDOFF = 2.0**-53
 _BLOCK = 8192
