@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 from .. import disk
-from ..errors import FileError
+from ..errors import FileError, MachineError
 from ..sources import Source, load
 from .contents import Contents
 
@@ -27,6 +28,11 @@ class FileFormat:
     writer: Source | None = None
 
 
+MOST_BYTES = 4 * 2**30
+"""The most that is read from a stream, whose length nobody knows before its end."""
+
+_BLOCK = 1 << 22
+
 FILE_FORMATS = (
     FileFormat(
         name="STL",
@@ -34,6 +40,24 @@ FILE_FORMATS = (
         suffixes=(".stl",),
         parser="gearwright.files.stl:parse",
         writer="gearwright.files.stl:write",
+    ),
+    FileFormat(
+        name="OBJ",
+        summary="polygons in objects or groups",
+        suffixes=(".obj",),
+        parser="gearwright.files.obj:parse",
+    ),
+    FileFormat(
+        name="OFF",
+        summary="polygons, text or binary",
+        suffixes=(".off",),
+        parser="gearwright.files.off:parse",
+    ),
+    FileFormat(
+        name="PLY",
+        summary="polygons, text or binary",
+        suffixes=(".ply",),
+        parser="gearwright.files.ply.reader:parse",
     ),
 )
 
@@ -46,6 +70,34 @@ def read(path: str | Path) -> Contents:
     """
     parse = load(format_of(path, "read").parser or "")
     return parse(disk.contents(path), str(path))
+
+
+def read_stream(stream: BinaryIO, name: str = "standard input") -> Contents:
+    """What a stream of bytes holds, read to its end, in the format that its contents show.
+
+    Raises FileError where they show none, are not whole or are more than MOST_BYTES; MachineError if the stream
+    cannot be read.
+    """
+    from .recognition import recognise
+
+    data = _all_bytes(stream, name)
+    return load(recognise(data, name).parser or "")(data, name)
+
+
+def _all_bytes(stream: BinaryIO, name: str) -> bytes:
+    blocks, size = [], 0
+    try:
+        while block := stream.read(_BLOCK):
+            blocks.append(block)
+            size += len(block)
+            if size > MOST_BYTES:
+                raise FileError(
+                    f"{name}: more than {MOST_BYTES} bytes, the most that is read from a stream; save them as a"
+                    " file and name that"
+                )
+    except OSError as error:
+        raise MachineError(f"{name}: cannot be read ({error.strerror or error})") from error
+    return b"".join(blocks)
 
 
 def format_of(path: str | Path, done: str) -> FileFormat:
