@@ -40,15 +40,16 @@ def parse(data: Data, name: str) -> Contents:
     data = bytes(data)
     if not data.strip():
         raise FileError(f"{name}: the file is empty; an OFF file was expected; write it again")
-    start = next_place(data, len(MARK) if data.startswith(MARK) else 0)
-    header = _HEADER.match(data, start)
+    text = with_line_feeds(data)
+    start = next_place(text, len(MARK) if data.startswith(MARK) else 0)
+    header = _HEADER.match(text, start)
     if not header:
-        raise misfit(name, "OFF", data, start, 'the word that begins such files, "OFF", "COFF" or "NOFF",')
+        raise misfit(name, "OFF", text, start, 'the word that begins such files, "OFF", "COFF" or "NOFF",')
     _require_three_dimensions(name, header)
     if header["binary"]:
         body = parse_binary(data, data.find(b"\n", header.end()) + 1 or len(data), header["parts"].decode(), name)
     else:
-        body = _text(with_line_feeds(data), header, name)
+        body = _text(text, header, name)
     return Contents(bodies=(body,))
 
 

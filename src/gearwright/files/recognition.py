@@ -6,9 +6,9 @@ import re
 
 from ..errors import FileError
 from .formats import FILE_FORMATS, FileFormat
+from .text_places import MARK, with_line_feeds
 
 _SAMPLE = 4096
-_MARK = b"\xef\xbb\xbf"
 _OFF = re.compile(rb"\s*(?:#[^\n]*\n\s*)*(?:ST)?C?N?4?n?OFF(?![^\s#])")
 _STEP = re.compile(rb"\s*(?:/\*.*?\*/\s*)*ISO-10303-21\s*;", re.DOTALL)
 _ASSET = re.compile(rb'"asset"\s*:')
@@ -38,7 +38,7 @@ def recognise(data: bytes | memoryview, name: str) -> FileFormat:
 
 def _name_of(data: bytes) -> str | None:
     """The name in FILE_FORMATS of what the bytes look like."""
-    text = data.removeprefix(_MARK)
+    text = with_line_feeds(data).removeprefix(MARK)
     if data.startswith(b"PK\x03\x04"):
         return "3MF"
     if data.startswith(b"glTF"):
@@ -53,7 +53,7 @@ def _name_of(data: bytes) -> str | None:
         return "STL"
     if text.lstrip()[:1] == b"{" and _ASSET.search(text):
         return "glTF"
-    if b"\0" not in data[:_SAMPLE] and _OBJ.search(text.replace(b"\r", b"\n")):
+    if b"\0" not in data[:_SAMPLE] and _OBJ.search(text):
         return "OBJ"
     return None
 

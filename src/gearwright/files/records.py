@@ -52,8 +52,8 @@ def record_places(
     places, end, record = _walk(np.frombuffer(data, np.uint8), start, count, sizes, lists, signed, little)
     if end < 0:
         raise FileError(
-            f"{path}: not a whole {kind} file: {what} {record} (byte {places[record, -end - 1]}) has a list of a negative"
-            f" count or one that goes beyond the end of the file; it is cut off, or the counts are wrong; {AGAIN}"
+            f"{path}: not a whole {kind} file: {what} {record} (byte {places[record, -end - 1]}) has a list of"
+            f" a negative count or one that goes beyond the end of the file; it is cut off, or the counts are wrong; {AGAIN}"
         )
     return places, end
 
@@ -73,7 +73,7 @@ def whole(data: Characters, place: int, size: int, signed: bool, little: bool) -
 def _walk(
     data: Characters, place: int, count: int, sizes: Indices, lists: Indices, signed: Indices, little: bool
 ) -> tuple[Indices, int, int]:
-    """Places of fields (count, fields) and the end; minus the number of the field, from 1, and the record that fails."""
+    """Places of fields (count, fields) and the end; or minus the field, from 1, and the record that fails."""
     places = np.empty((count, len(sizes)), np.int64)
     for record in range(count):
         for k in range(len(sizes)):

@@ -11,7 +11,8 @@ from ..text_places import AGAIN, MARK, line_at, with_line_feeds
 Form = Literal["ascii", "binary_little_endian", "binary_big_endian"]
 
 TYPES = {
-    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
+    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
+    "float": "f4", "double": "f8",
     "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4",
     "float32": "f4", "float64": "f8",
 }  # fmt: skip
@@ -130,6 +131,6 @@ def _refusal(path: str, data: bytes, place: int, words: list[str]) -> FileError:
     return FileError(
         f"{path}: line {line_at(with_line_feeds(data), place)} of this PLY file has"
         f' "{shown}" where a line of the header is expected: format ascii|binary_little_endian|binary_big_endian 1.0,'
-        f" element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME with types {', '.join(list(TYPES)[:8])},"
-        f" or end_header, every name once; {AGAIN}"
+        f" element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME with types"
+        f" {', '.join(list(TYPES)[:8])}, or end_header, every name once; {AGAIN}"
     )

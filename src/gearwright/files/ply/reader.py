@@ -16,7 +16,8 @@ from .text import read_text
 
 
 def parse(data: Data, name: str) -> Contents:
-    """The one body of a PLY file, text or binary of either order. Polygons stay whole; vertices without faces are left out.
+    """The one body of a PLY file, text or binary of either order. Polygons stay whole; vertices without
+    faces are left out.
 
     Properties and elements other than vertices' x, y, z and faces' vertex_indices or vertex_index are passed over.
     Rounding is that of single precision where x, y or z has this type, and in text what `Written.rounding` finds.
@@ -68,7 +69,8 @@ def _require_body(path: str, header: Header) -> None:
         for one in element.properties:
             if one.count_type and "f" in one.count_type:
                 raise FileError(
-                    f"{path}: the list {one.name} of {element.name} in this PLY file has a count that is no integer; {AGAIN}"
+                    f"{path}: the list {one.name} of {element.name} in this PLY file has a count that is"
+                    f" no integer; {AGAIN}"
                 )
 
 
