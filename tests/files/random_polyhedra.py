@@ -184,8 +184,8 @@ def stl_text(shape, random):
     lines = ["solid part of many words" + end]
     for a, b, c in triangles(shape):
         lines.append(_line(random, ["facet", "NORMAL", "0", "-1e-3", "nan"], end) + "outer loop" + end)
-        for k in (a, b, c):
-            lines.append(_line(random, ["vertex", *(number(random, x) for x in shape.vertices[k])], end))
+        corners = ([number(random, x) for x in shape.vertices[k]] for k in (a, b, c))
+        lines += [_line(random, ["vertex", *words], end) for words in corners]
         lines.append("endloop" + random.choice([end, " "]) + "EndFacet" + end)
     return "".join([*lines, "endsolid", random.choice(["", end, " x"])]).encode()
 

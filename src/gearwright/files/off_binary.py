@@ -43,7 +43,9 @@ def parse_binary(data: bytes, start: int, parts: str, path: str) -> Body:
             f"{path}: not a whole OFF file: it announces {vertices} vertices and {faces} faces, which take at least"
             f" {least} bytes, and has {len(data) - place}; it is cut off, or the counts are wrong; {AGAIN}"
         )
-    points = np.frombuffer(data, ">f4", vertices * width, place).reshape(-1, width)[:, :3].astype(np.float64)
+    numbers = np.frombuffer(data, ">f4", vertices * width, place).reshape(-1, width)
+    with np.errstate(invalid="ignore"):  # signalling NaN
+        points = numbers[:, :3].astype(np.float64)
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
         raise FileError(f"{path}: coordinates of vertex {bad[0]} are not finite: {points[bad[0]].tolist()}; {AGAIN}")

@@ -43,7 +43,8 @@ def list_corners(
 def coordinates_at(data: bytes, places: Indices, form: np.dtype[np.generic]) -> Array:
     """Numbers of a form that begin at places."""
     octets = np.frombuffer(data, np.uint8)[places[..., None] + np.arange(form.itemsize)]
-    return np.ascontiguousarray(octets).view(form)[..., 0].astype(np.float64)
+    with np.errstate(invalid="ignore"):  # signalling NaN
+        return np.ascontiguousarray(octets).view(form)[..., 0].astype(np.float64)
 
 
 def whole_at(data: bytes, places: Indices, size: int, signed: bool, little: bool) -> Indices:

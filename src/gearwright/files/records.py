@@ -53,7 +53,8 @@ def record_places(
     if end < 0:
         raise FileError(
             f"{path}: not a whole {kind} file: {what} {record} (byte {places[record, -end - 1]}) has a list of"
-            f" a negative count or one that goes beyond the end of the file; it is cut off, or the counts are wrong; {AGAIN}"
+            f" a negative count or one that goes beyond the end of the file; it is cut off, or the counts are wrong;"
+            f" {AGAIN}"
         )
     return places, end
 
