@@ -22,6 +22,7 @@ LISTS = ("vertex_indices", "vertex_index")
 """Names of the list of a face's vertices."""
 
 _LONGEST = 1 << 16
+_LONGEST_NAME = 64
 _MOST = 10**18
 """More than any file holds: larger counts are refused as no numbers."""
 
@@ -43,7 +44,13 @@ class Element:
     count: int
     properties: tuple[Property, ...]
 
-    def property(self, *names: str) -> Property | None:
+    @property
+    def listed(self) -> str:
+        """The names of the properties, of many the first."""
+        names = [one.name for one in self.properties]
+        return ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
+
+    def named(self, *names: str) -> Property | None:
         """The first property of one of these names."""
         return next((one for one in self.properties if one.name in names), None)
 
@@ -75,13 +82,15 @@ def read_header(data: bytes, path: str) -> Header:
                 pass
             case ["format", str(named), "1.0"] if named in get_args(Form) and form is None:
                 form = named  # type: ignore[assignment]
+            case [_, *rest] if any(len(word) > _LONGEST_NAME for word in rest):
+                raise _refusal(path, data, place, words)
             case ["element", str(name), count] if count.isascii() and count.isdigit() and int(count[:19]) < _MOST:
                 if any(name == one.name for one in elements):
                     raise _refusal(path, data, place, words)
                 elements.append(Element(name=name, count=int(count), properties=()))
             case ["property", *words_of] if elements and (found := _property(words_of)):
                 last = elements[-1]
-                if last.property(found.name):
+                if last.named(found.name):
                     raise _refusal(path, data, place, words)
                 elements[-1] = Element(name=last.name, count=last.count, properties=(*last.properties, found))
             case _:

@@ -54,16 +54,15 @@ def _require_body(path: str, header: Header) -> None:
         )
     if not vertices or not vertices.count:
         raise FileError(f"{path}: a PLY file without vertices; nothing was exported")
-    wrong = [axis for axis in "xyz" if not (found := vertices.property(axis)) or found.count_type]
+    wrong = [axis for axis in "xyz" if not (found := vertices.named(axis)) or found.count_type]
     if wrong:
         raise FileError(f"{path}: the vertices of this PLY file have no numbers {', '.join(wrong)}; {AGAIN}")
     if not faces or not faces.count:
         raise FileError(f"{path}: a PLY file without faces, points alone bound no body; export its polygons as well")
-    corners = faces.property(*LISTS)
+    corners = faces.named(*LISTS)
     if not corners or not corners.count_type or "f" in corners.type + corners.count_type:
         raise FileError(
-            f'{path}: the faces of this PLY file have no list "vertex_indices" of integers, but'
-            f" {', '.join(one.name for one in faces.properties)}; {AGAIN}"
+            f'{path}: the faces of this PLY file have no list "vertex_indices" of integers, but {faces.listed}; {AGAIN}'
         )
     for element in header.elements:
         for one in element.properties:

@@ -68,7 +68,7 @@ def _rows(path: str, text: bytes, place: int, element: Element, total: int, seen
 
 
 def _part(element: Element, one: Property) -> int:
-    if element.name == "face" and one is element.property(*LISTS):
+    if element.name == "face" and one is element.named(*LISTS):
         return CORNERS
     if one.count_type:
         return PASSED_LIST
@@ -76,16 +76,15 @@ def _part(element: Element, one: Property) -> int:
 
 
 def _refusal(path: str, text: bytes, place: int, problem: int, element: Element, total: int) -> FileError:
-    names = ", ".join(one.name for one in element.properties)
     wanted = {
-        NO_NUMBER: f"a number ({element.name}: {names})",
+        NO_NUMBER: f"a number ({element.name}: {element.listed})",
         NOT_FINITE: "a finite number (this one is not finite)",
-        NO_COUNT: f"the count of a list ({element.name}: {names})",
+        NO_COUNT: f"the count of a list ({element.name}: {element.listed})",
         NO_VERTEX: f"the number of a vertex, 0 to {total - 1},"
         if element.name == "face"
-        else f"the next number of a list ({element.name}: {names})",
+        else f"the next number of a list ({element.name}: {element.listed})",
         FEW_CORNERS: "one of at least 3",
-        TOO_MUCH: f"the end of the line ({element.name}: {names})",
+        TOO_MUCH: f"the end of the line ({element.name}: {element.listed})",
     }
     found = "a face of fewer than 3 corners" if problem == FEW_CORNERS else ""
     return misfit(path, "PLY", text, place, wanted[problem], found=found)
