@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import struct
+import time
 
 import pytest
 
@@ -57,6 +58,14 @@ def test_a_format_that_is_not_listed_is_named(data, name, monkeypatch):
 def test_what_is_nothing(data):
     with pytest.raises(FileError, match=f"input: .*{len(data)} bytes"):
         recognise(data, "input")
+
+
+def test_many_comments_take_no_longer_than_their_length():
+    start = time.process_time()
+    for data in (b"/**/" * 100_000 + b"/*", b"# \n" * 100_000):
+        with pytest.raises(FileError):
+            recognise(data, "input")
+    assert time.process_time() - start < 2
 
 
 class Dripping(io.RawIOBase):

@@ -9,8 +9,8 @@ from .formats import FILE_FORMATS, FileFormat
 from .text_places import MARK, with_line_feeds
 
 _SAMPLE = 4096
-_OFF = re.compile(rb"\s*(?:#[^\n]*\n\s*)*(?:ST)?C?N?4?n?OFF(?![^\s#])")
-_STEP = re.compile(rb"\s*(?:/\*.*?\*/\s*)*ISO-10303-21\s*;", re.DOTALL)
+_OFF = re.compile(rb"\s*+(?:#[^\n]*+\n\s*+)*+(?:ST)?C?N?4?n?OFF(?![^\s#])")
+_STEP = re.compile(rb"\s*+(?>/\*.*?\*/\s*+)*+ISO-10303-21\s*;", re.DOTALL)
 _ASSET = re.compile(rb'"asset"\s*:')
 _OBJ = re.compile(rb"^[ \t]*(?:v[ \t]+[-+.\d]|f[ \t]+[-+\d])", re.MULTILINE)
 _STL_START, _STL_RECORD = 84, 50
