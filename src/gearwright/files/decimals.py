@@ -123,10 +123,29 @@ def _decimal(data: Characters, i: int) -> tuple[int, int, int, int, int, bool]:
 
 
 @njit(cache=True, nogil=True)
+def copied(values: Indices, target: Indices) -> Indices:
+    """The target, filled with these numbers as far as both go. An assignment of arrays takes seconds to compile."""
+    for k in range(min(len(values), len(target))):
+        target[k] = values[k]
+    return target
+
+
+@njit(cache=True, nogil=True)
+def _noted(late: Indices, slot: int, start: int, end: int) -> Indices:
+    """`late` with one more word."""
+    count = late[0] + 1
+    if 3 * count + 3 > len(late):
+        late = copied(late, np.empty(2 * len(late), np.int64))
+    late[0] = count
+    late[3 * count], late[3 * count + 1], late[3 * count + 2] = slot, start, end
+    return late
+
+
+@njit(cache=True, nogil=True)
 def take(data: Characters, i: int, numbers: Array, slot: int, late: Indices, seen: Indices) -> tuple[int, int, Indices]:
     """Reads the word at a place into numbers[slot]: where it ends, what it comes to, and `late`.
 
-    late   (m, 3), grown as needed: slot and ends of every word still to read; their count first in row 0
+    late   (3 m,), grown as needed: slot and ends of every word still to read; in the first three only their count
     seen   what the file's numbers look like, as `rounding.Written`: most digits, finest place, the last
            digits of those with the most as bits
     """
@@ -143,14 +162,7 @@ def take(data: Characters, i: int, numbers: Array, slot: int, late: Indices, see
         seen[2] |= 1 << last
     seen[1] = min(seen[1], place)
     if digits > 18 or mantissa > _WHOLE or (mantissa and not -22 <= place <= 22):
-        count = late[0, 0] + 1
-        if count == len(late):
-            grown = np.empty((2 * count, 3), np.int64)
-            grown[:count] = late
-            late = grown
-        late[0, 0] = count
-        late[count, 0], late[count, 1], late[count, 2] = slot, start, i
-        return i, FINE, late
+        return i, FINE, _noted(late, slot, start, i)
     value = float(mantissa)
     if mantissa:
         value = value / _POWERS[-place] if place < 0 else value * _POWERS[place]
@@ -160,7 +172,7 @@ def take(data: Characters, i: int, numbers: Array, slot: int, late: Indices, see
 
 def none_late() -> Indices:
     """`late` of a file of which nothing is read yet."""
-    return np.zeros((16, 3), np.int64)
+    return np.zeros(48, np.int64)
 
 
 def none_seen() -> Indices:
@@ -170,7 +182,7 @@ def none_seen() -> Indices:
 
 def read_late(text: bytes, numbers: Array, late: Indices) -> int | None:
     """Fills in the numbers that are still to read. The place of the first that is not finite, None if all are."""
-    rows = late[1 : late[0, 0] + 1]
+    rows = late[3 : 3 * late[0] + 3].reshape(-1, 3)
     if not len(rows):
         return None
     values = np.array([float(text[start:end]) for start, end in rows[:, 1:].tolist()])

@@ -8,7 +8,18 @@ import numpy as np
 from numba import njit
 
 from ..arrays import Array, Indices
-from .decimals import FINE, NO_NUMBER, Characters, ends_line, line_end, skip_blanks, take, whole_number, word_end
+from .decimals import (
+    FINE,
+    NO_NUMBER,
+    Characters,
+    copied,
+    ends_line,
+    line_end,
+    skip_blanks,
+    take,
+    whole_number,
+    word_end,
+)
 
 NO_COUNT, NO_VERTEX, FEW_CORNERS, TOO_MUCH = 3, 4, 5, 6
 """What can be wrong, besides what `decimals` finds."""
@@ -48,7 +59,8 @@ def read_rows(
         has_points |= X <= part < X + 3
         has_corners |= part == CORNERS
     points = np.empty(3 * rows if has_points else 0)
-    offsets = np.zeros(rows + 1 if has_corners else 1, np.int64)
+    offsets = np.empty(rows + 1 if has_corners else 1, np.int64)
+    offsets[0] = 0
     indices = np.empty(4 * rows if has_corners else 0, np.int64)
     count = 0
     for row in range(rows):
@@ -73,7 +85,7 @@ def read_rows(
         if whole_lines and not ends_line(data, i):
             return Rows(TOO_MUCH, i, points, late, indices, offsets)
         i = line_end(data, i)
-    return Rows(FINE, i, points, late, indices[:count].copy(), offsets)
+    return Rows(FINE, i, points, late, copied(indices, np.empty(count, np.int64)), offsets)
 
 
 @njit(cache=True, nogil=True)
@@ -106,9 +118,7 @@ def _list(
         if i == start or i != word_end(data, i) or not 0 <= vertex < total:
             return start, NO_VERTEX, indices, count
         if count == len(indices):
-            grown = np.empty(2 * count + 16, np.int64)
-            grown[:count] = indices
-            indices = grown
+            indices = copied(indices, np.empty(2 * count + 16, np.int64))
         indices[count] = vertex
         count += 1
     return i, FINE, indices, count

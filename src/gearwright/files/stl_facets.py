@@ -6,7 +6,7 @@ import numpy as np
 from numba import njit
 
 from ..arrays import Array, Indices
-from .decimals import FINE, NO_NUMBER, Characters, is_blank, take, word_end
+from .decimals import FINE, NO_NUMBER, Characters, copied, is_blank, take, word_end
 
 FACET = ("facet", "normal", *"###", "outer", "loop", *3 * ("vertex", *"000"), "endloop", "endfacet")
 """The words of a facet; 0 stands for a coordinate, # for one of the normal, which nobody reads."""
@@ -25,19 +25,17 @@ def read_facets(
 ) -> tuple[int, int, int, Array, Indices]:
     """The facets between two places: what is wrong first, where, at which word of FACET; coordinates and `late`."""
     points, count = np.empty(90), 0
-    unread = np.empty(1), np.zeros((16, 3), np.int64), np.zeros(3, np.int64)
+    unread = np.empty(1), np.zeros(48, np.int64), np.zeros(3, np.int64)
     while True:
         for k in range(len(_PATTERN)):
             while i < end and (is_blank(data[i]) or data[i] == 10):
                 i += 1
             if i >= end:
-                return (UNFINISHED if k else FINE), i, k, points[:count].copy(), late
+                return (UNFINISHED if k else FINE), i, k, copied(points, np.empty(count)), late
             wanted = _PATTERN[k]
             if wanted == _COORDINATE:
                 if count == len(points):
-                    grown = np.empty(2 * count)
-                    grown[:count] = points
-                    points = grown
+                    points = copied(points, np.empty(2 * count))
                 i, problem, late = take(data, i, points, count, late, seen)
                 count += 1
             elif wanted == _PASSED:
@@ -45,7 +43,7 @@ def read_facets(
             else:
                 i, problem = _keyword(data, i, wanted)
             if problem != FINE:
-                return problem, i, k, points[:0], late
+                return problem, i, k, points, late
 
 
 @njit(cache=True, nogil=True)
@@ -62,6 +60,6 @@ def _keyword(data: Characters, i: int, wanted: int) -> tuple[int, int]:
 def _normal(data: Characters, i: int, unread: tuple[Array, Indices, Indices]) -> tuple[int, int]:
     """Where a number ends, finite or not: facets without area have normals that are not."""
     numbers, late, seen = unread
-    late[0, 0] = 0
+    late[0] = 0
     problem = take(data, i, numbers, 0, late, seen)[1]
     return (i, NO_NUMBER) if problem == NO_NUMBER else (word_end(data, i), FINE)
