@@ -7,6 +7,8 @@ numbers accurately). Longer ones are noted with their places and read one by one
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -123,7 +125,7 @@ def _decimal(data: Characters, i: int) -> tuple[int, int, int, int, int, bool]:
 
 
 @njit(cache=True, nogil=True)
-def copied(values: Indices, target: Indices) -> Indices:
+def copied(values: NDArray[Any], target: NDArray[Any]) -> NDArray[Any]:
     """The target, filled with these numbers as far as both go. An assignment of arrays takes seconds to compile."""
     for k in range(min(len(values), len(target))):
         target[k] = values[k]
