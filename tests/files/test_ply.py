@@ -77,6 +77,7 @@ REFUSED = [
     (binary(more=b"xy"), "2 bytes follow all that its header announces"),
     (binary(faces=[(0, 1, 3)]), f"face 0 (byte {AT + 45}) has the vertex 3; there are vertices 0 to 2"),
     (binary(faces=[(0, 1, -3)]), "has the vertex -3"),
+    (binary(faces=[(0, 1, -(2**31))]), "has the vertex -2147483648"),
     (binary(faces=[(0, 1)]), f"face 0 (byte {AT + 36}) has 2 corners; at least 3 are needed"),
     (binary(faces=[()], header=LITTLE.replace("uchar", "char")), "has 0 corners"),
     (binary(faces=[], header=LITTLE.replace("uchar", "char"), more=b"\xff" * 13), "negative count"),

@@ -29,6 +29,14 @@ def test_at_least_the_errors_and_little_more(form, scale):
     assert found <= 15 * error
 
 
+@pytest.mark.parametrize(
+    ("form", "scale", "expected"),
+    [("{:.6f}", 20.0, 5e-7), ("{:.3f}", 777.0, 5e-4), ("{:.6g}", 777.0, 5e-4), ("{:.6e}", 0.5, 5e-8)],
+)
+def test_half_a_unit_in_the_last_place_of_the_largest(form, scale, expected):
+    assert rounding(form.format, scale)[0] == pytest.approx(expected, rel=1e-12)
+
+
 def test_noughts_left_away_do_not_hide_rounding():
     found, error = rounding(lambda x: f"{x:.6f}".rstrip("0").rstrip("."))
     assert error <= found <= 15 * error
