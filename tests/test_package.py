@@ -30,4 +30,4 @@ def test_every_element_of_the_catalog_loads(element):
 
 @pytest.mark.parametrize("format_", catalog.FILE_FORMATS, ids=lambda format_: format_.name)
 def test_every_file_format_of_the_catalog_loads(format_):
-    assert all(callable(catalog.load(source)) for source in (format_.reader, format_.writer) if source)
+    assert all(callable(catalog.load(source)) for source in (format_.parser, format_.writer) if source)

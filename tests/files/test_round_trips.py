@@ -121,3 +121,15 @@ def test_every_number_is_rounded_as_python_does(text):
     else:
         with pytest.raises(FileError, match="not finite"):
             obj.parse(data, "part")
+
+
+def test_numbers_about_the_limits_of_exact_powers_and_integers():
+    texts = [
+        f"{mantissa}e{place}"
+        for mantissa in (1, 3, 7, 2**53 - 1, 2**53, 2**53 + 1, 10**18 - 1)
+        for place in range(-30, 31)
+    ]
+    lines = "".join(f"v {text} 0 0\n" for text in texts)
+    face = "f " + " ".join(str(k + 1) for k in range(len(texts)))
+    (body,) = obj.parse((lines + face).encode(), "part").bodies
+    assert body.vertices[:, 0].tolist() == [float(text) for text in texts]
