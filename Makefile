@@ -2,6 +2,7 @@
 # speed is compared with into .venv-bench.
 #   make demo    build the 16/20 bevel pair, straight and spiral, and compare exact with polyhedral properties
 #   make test    run the tests
+#   make fuzz    feed spoilt files to every reader, FUZZ_SECONDS=60 of them; what breaks one goes into tests/fuzz/corpus
 #   make check   lint, format check, types, import layers
 #   make bench   compare speed with other tools
 
@@ -13,7 +14,9 @@ BENCH_VENV := .venv-bench
 BENCH_INSTALLED := $(BENCH_VENV)/installed
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: demo test check bench clean
+FUZZ_SECONDS ?= 60
+
+.PHONY: demo test fuzz check bench clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)
@@ -21,6 +24,9 @@ demo: $(INSTALLED)
 
 test: $(INSTALLED)
 	$(BIN)/python -m pytest
+
+fuzz: $(INSTALLED)
+	FUZZ_SECONDS=$(FUZZ_SECONDS) $(BIN)/python -m pytest tests/fuzz -k spoilt
 
 check: $(INSTALLED)
 	$(BIN)/ruff check .

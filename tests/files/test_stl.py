@@ -94,13 +94,34 @@ def test_text(tmp_path):
         assert_same_body(read(tmp_path / name))
 
 
-def test_text_of_several_bodies_and_many_chunks(tmp_path, monkeypatch):
-    monkeypatch.setattr("gearwright.files.stl_text._CHUNK", 200)
-    (tmp_path / "part.stl").write_text(TEXT + TEXT.replace(" 1", " 2.5E+00"))
-    vertices, triangles = read(tmp_path / "part.stl")
-    assert triangles.shape == (8, 3)
-    assert vertices.max() == 2.5
-    assert len(vertices) == 7
+def test_every_solid_of_a_text_is_a_body_with_its_name():
+    second = TEXT.replace(" 1", " 2.5E+00").replace("a b", "Vertex  solid ÿ")
+    first, again = stl.parse((TEXT + second).encode(), "part.stl").bodies
+    assert (first.name, again.name) == ("a b", "Vertex solid ÿ")
+    assert first.vertices.max() == 1
+    assert again.vertices.max() == 2.5
+    assert len(first.vertices) == len(again.vertices) == 4
+    assert first.offsets.tolist() == again.offsets.tolist() == [0, 3, 6, 9, 12]
+
+
+def test_empty_solids_are_left_out_with_a_remark():
+    contents = stl.parse(b"solid nothing\nendsolid\n" + TEXT.encode(), "part.stl")
+    assert [body.name for body in contents.bodies] == ["a b"]
+    assert contents.remarks == ("left out: 1 solids without triangles",)
+
+
+def test_normals_that_are_not_finite_do_not_matter():
+    (body,) = stl.parse(TEXT.replace("normal 0 0 0", "normal -nan(ind) NaN inf").encode(), "part.stl").bodies
+    assert len(body.vertices) == 4
+
+
+def test_bytes_after_the_triangles_are_left_out_with_a_remark_if_they_are_few():
+    contents = stl.parse(binary([range(9)]) + b"x" * 25, "part.stl")
+    assert contents.bodies[0].vertices.tolist() == [[0, 1, 2], [3, 4, 5], [6, 7, 8]]
+    assert contents.remarks == ("left out: 25 bytes after the 1 triangles that the file announces",)
+    with pytest.raises(FileError, match="the count is wrong"):
+        stl.parse(binary([range(9)]) + b"x" * 26, "part.stl")
+    assert not stl.parse(binary([range(9)]), "part.stl").remarks
 
 
 def test_text_keeps_double_precision(tmp_path):
@@ -156,6 +177,8 @@ def test_refusals_of_text(tmp_path):
     spoilt("vertex 0", "vertex " + "9" * 5000, "where a number is expected")
     spoilt("vertex 0 0 0", "vertex 0 0", 'line 5 has "vertex" where a number is expected')
     refused(tmp_path, b"solid a\nfacet normal 0 0 1\nendsolid a", "not complete")
+    two = TEXT.replace("endsolid a b\n", "endsolid a b\nfacet normal 0 0 0\n") + TEXT
+    refused(tmp_path, two.encode(), 'line 31 has "facet" where "solid" or the end is expected')
 
 
 def test_names_that_are_no_files(tmp_path):

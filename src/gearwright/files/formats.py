@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
 from .. import disk
-from ..errors import FileError
+from ..errors import FileError, MachineError
 from ..sources import Source, load
 
 if TYPE_CHECKING:  # so that listing the formats loads no numpy
@@ -29,6 +29,11 @@ class FileFormat:
     parser: Source | None = None
     writer: Source | None = None
 
+
+MOST_BYTES = 4 * 2**30
+"""The most that is read from a stream, whose length nobody knows before its end."""
+
+_BLOCK = 1 << 22
 
 FILE_FORMATS = (
     FileFormat(
@@ -56,6 +61,24 @@ FILE_FORMATS = (
         suffixes=(".step", ".stp"),
         parser="gearwright.files.step.reading:parse",
     ),
+    FileFormat(
+        name="OBJ",
+        summary="polygons in objects or groups",
+        suffixes=(".obj",),
+        parser="gearwright.files.obj:parse",
+    ),
+    FileFormat(
+        name="OFF",
+        summary="polygons, text or binary",
+        suffixes=(".off",),
+        parser="gearwright.files.off:parse",
+    ),
+    FileFormat(
+        name="PLY",
+        summary="polygons, text or binary",
+        suffixes=(".ply",),
+        parser="gearwright.files.ply.reader:parse",
+    ),
 )
 
 
@@ -69,6 +92,34 @@ def read(path: str | Path) -> Contents:
     return parse(disk.contents(path), str(path))
 
 
+def read_stream(stream: BinaryIO, name: str = "standard input") -> Contents:
+    """What a stream of bytes holds, read to its end, in the format that its contents show.
+
+    Raises FileError where they show none, are not whole or are more than MOST_BYTES; MachineError if the stream
+    cannot be read.
+    """
+    from .recognition import recognise
+
+    data = _all_bytes(stream, name)
+    return load(recognise(data, name).parser or "")(data, name)
+
+
+def _all_bytes(stream: BinaryIO, name: str) -> bytes:
+    blocks, size = [], 0
+    try:
+        while block := stream.read(_BLOCK):
+            blocks.append(block)
+            size += len(block)
+            if size > MOST_BYTES:
+                raise FileError(
+                    f"{name}: more than {MOST_BYTES} bytes, the most that is read from a stream; save them as a"
+                    " file and name that"
+                )
+    except OSError as error:
+        raise MachineError(f"{name}: cannot be read ({error.strerror or error})") from error
+    return b"".join(blocks)
+
+
 def format_of(path: str | Path, done: str) -> FileFormat:
     """The format of a name's suffix that can be "read" or "written". Raises FileError where there is none."""
     known = [one for one in FILE_FORMATS if (one.parser if done == "read" else one.writer)]
@@ -80,21 +131,3 @@ def format_of(path: str | Path, done: str) -> FileFormat:
         f"{path}: a file whose name ends in {suffix or 'no suffix'} cannot be {done}; known suffixes:"
         f" {', '.join(suffix for one in known for suffix in one.suffixes)}"
     )
-
-
-def read_stream(stream: BinaryIO) -> Contents:
-    """What a stream of bytes holds, in the first format that can be read from it.
-
-    Raises FileError where it is of no known format, with what the first one found wrong.
-    """
-    data = stream.read()
-    refusals = []
-    for one in FILE_FORMATS:
-        parse = load(one.parser) if one.parser else None
-        try:
-            if parse is not None:
-                found: Contents = parse(data, "standard input")
-                return found
-        except FileError as error:
-            refusals.append(error)
-    raise refusals[0]

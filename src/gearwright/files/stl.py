@@ -16,7 +16,9 @@ from .. import disk
 from ..arrays import Array, Indices
 from ..errors import FileError
 from ..moments.faces import triangle_vectors
+from ..moments.soup import NOUGHT
 from .contents import Body, Contents, Data
+from .rounding import single_precision
 from .stl_text import looks_like_text, parse_text
 from .welding import Points, welded
 
@@ -26,45 +28,73 @@ RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute
 _MOST = 2**32 - 1
 _BLOCK = 1 << 18
 _ABSURD = 1000  # times more than the file has: what stands for a count is none
+_SURPLUS = 0.5
+"""Bytes after the triangles, relative to theirs, that programs may have added; with more the count is wrong."""
+_EMPTY = "{}: an STL file without triangles; nothing was exported, or only empty bodies"
 UNIT = re.compile(rb"lengths in (mm|in)\b")
-
-_NOUGHT = 2.0**-46
-"""A coordinate this small relative to the largest one is a rounding error of 0 in the program that wrote it.
-
-Single precision is fine enough to tell such errors apart only next to 0, where they tear holes: a corner
-written once with 0, once with −2.7e-16. Anywhere else it has rounded them away.
-"""
 
 _COARSEST = 1e-4
 """Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
 
 
 def parse(data: Data, name: str) -> Contents:
-    """The body of an STL file: vertices with equal coordinates joined, and triangles.
+    """The bodies of an STL file: vertices with equal coordinates joined within each, and triangles.
 
-    Coordinates are taken as they stand, but those within 2⁻⁴⁶ × the largest of 0 are 0. The stored
-    normals are ignored: the order of the corners says which side is out.
+    Every solid of a text file is a body with its name; a binary file is one body. Coordinates are taken as they stand,
+    but those within 2⁻⁴⁶ × the largest of the body are 0. The stored normals are ignored: the order of the corners says
+    which side is out. Rounding is that of single precision in binary files, as `Written.rounding` finds it in text.
     Raises FileError if the data are not a whole STL file of finite coordinates.
     """
     data = bytes(data)
-    corners = _corners(name, data).reshape(-1, 3)
-    if not len(corners):
-        raise FileError(f"{name}: an STL file without triangles; nothing was exported, or only empty bodies")
-    size = np.abs(corners)
-    largest = size.max()
-    if not np.isfinite(largest):
-        _refuse_not_finite(name, corners)
-    corners[size <= _NOUGHT * largest] = 0.0
-    vertices, numbers = welded(corners)
-    body = Body(
-        name="",
-        vertices=vertices,
-        indices=numbers,
-        offsets=np.arange(0, len(numbers) + 1, 3),
-        rounding=float(np.spacing(np.float32(largest))) / 2.0 if corners.dtype == np.float32 else 0.0,
-    )
+    if not data:
+        raise FileError(f"{name}: the file is empty; an STL file was expected; write it again")
     found = UNIT.search(data[:HEADER])
-    return Contents(bodies=(body,), length_unit=found[1].decode() if found else None)
+    length_unit = found[1].decode() if found else None
+    count = int.from_bytes(data[HEADER:START], "little") if len(data) >= START else 0
+    needed = START + count * RECORD.itemsize
+    if (len(data) < START or len(data) != needed) and looks_like_text(data):
+        return _text(data, name, length_unit)
+    if len(data) < START or not needed <= len(data) <= needed + _SURPLUS * (needed - START):
+        _refuse_length(name, len(data), count)
+    corners = np.frombuffer(data, dtype=RECORD, offset=START, count=count)["corners"].reshape(-1, 3)
+    if not count:
+        raise FileError(_EMPTY.format(name))
+    if not np.isfinite(corners).all():
+        _refuse_not_finite(name, corners)
+    vertices, triangles = _joined(corners)
+    rounding = single_precision(float(np.abs(corners).max()))
+    surplus = len(data) - needed
+    return Contents(
+        bodies=(_body("", vertices, triangles, rounding),),
+        length_unit=length_unit,
+        remarks=(f"left out: {surplus} bytes after the {count} triangles that the file announces",) if surplus else (),
+    )
+
+
+def _text(data: bytes, path: str, length_unit: str | None) -> Contents:
+    solids, written = parse_text(path, data)
+    bodies, empty = [], 0
+    for solid in solids:
+        if len(solid.corners):
+            vertices, triangles = _joined(solid.corners)
+            bodies.append(_body(solid.name, vertices, triangles, written.rounding(vertices)))
+        else:
+            empty += 1
+    if not bodies:
+        raise FileError(_EMPTY.format(path))
+    remarks = (f"left out: {empty} solids without triangles",) if empty else ()
+    return Contents(bodies=tuple(bodies), length_unit=length_unit, remarks=remarks)
+
+
+def _joined(corners: Points) -> tuple[Array, Indices]:
+    """Vertices from the corners (3 m, 3) of triangles, and the vertex of each."""
+    size = np.abs(corners)
+    return welded(np.where(size <= NOUGHT * size.max(), corners.dtype.type(0.0), corners))
+
+
+def _body(name: str, vertices: Array, indices: Indices, rounding: float) -> Body:
+    offsets = np.arange(0, len(indices) + 1, 3)
+    return Body(name=name, vertices=vertices, indices=indices, offsets=offsets, rounding=rounding)
 
 
 def _refuse_not_finite(path: str | Path, corners: Points) -> None:
@@ -74,19 +104,6 @@ def _refuse_not_finite(path: str | Path, corners: Points) -> None:
         f" triangle {bad[0]}: {corners[3 * bad[0] : 3 * bad[0] + 3].tolist()}; write the file again from the program"
         " that made it"
     )
-
-
-def _corners(path: str, data: bytes) -> Points:
-    """Corners (m, 3, 3) of binary or text data: binary where the length is exactly what its count asks for."""
-    if not data:
-        raise FileError(f"{path}: the file is empty; an STL file was expected; write it again")
-    count = int.from_bytes(data[HEADER:START], "little") if len(data) >= START else 0
-    if len(data) < START or len(data) != START + count * RECORD.itemsize:
-        if looks_like_text(data):
-            return parse_text(path, data)
-        _refuse_length(path, len(data), count)
-    records = np.frombuffer(data, dtype=RECORD, offset=START, count=count)
-    return records["corners"].copy()
 
 
 def _refuse_length(path: str, size: int, count: int) -> None:

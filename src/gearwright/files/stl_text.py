@@ -12,93 +12,93 @@ endsolid NAME        (the whole as often as there are bodies)
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import FileError
+from .decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
+from .rounding import Written
+from .stl_facets import FACET, NO_WORD, UNFINISHED, read_facets
+from .text_places import AGAIN, MARK, line_at, misfit, with_line_feeds
 
-_FACET = b"facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop endfacet".split()
-_COORDINATES = np.array([8, 9, 10, 12, 13, 14, 16, 17, 18])
-_KEYWORDS = np.array([k for k, word in enumerate(_FACET) if word != b"0"])
-_NAMES = re.compile(rb"^[ \t\r\f\v]*(?:end)?solid\b[^\n]*", re.MULTILINE)
+_NAMES = re.compile(rb"[ \t\r\f\v]*(?P<end>end)?solid\b(?P<name>[^\n]*)", re.IGNORECASE)
 """Lines that hold names, which may be any words."""
-_CHUNK = 1 << 22
-_LONGEST_WORD = 64
 _SAMPLE = 4096
 _BINARY = re.compile(rb"[\x00-\x08\x0e-\x1f]")
 
 
+class Solid(NamedTuple):
+    """A solid of the file: its name and the corners (3 m, 3) of its triangles."""
+
+    name: str
+    corners: Array
+
+
 def looks_like_text(data: bytes) -> bool:
     """Whether data begins like a text STL file: with "solid" and without binary characters nearby."""
-    sample = data[:_SAMPLE].removeprefix(b"\xef\xbb\xbf")
+    sample = data[:_SAMPLE].removeprefix(MARK)
     return sample.lstrip()[:5].lower() == b"solid" and not _BINARY.search(sample)
 
 
-def parse_text(path: str, data: bytes) -> Array:
-    """Corners (m, 3, 3) of the triangles.
+def parse_text(path: str, data: bytes) -> tuple[list[Solid], Written]:
+    """The solids in their order, and what their coordinates look like.
 
     Raises FileError naming the line where the text is not that of an STL file.
     """
-    data = data.removeprefix(b"\xef\xbb\xbf").lower()
-    if b"\n" not in data:
-        data = data.replace(b"\r", b"\n")
-    last_line = data.rstrip().rpartition(b"\n")[2].strip()
-    if not last_line.startswith(b"endsolid"):
+    text = with_line_feeds(data)
+    if text.startswith(MARK):
+        text = b" " * len(MARK) + text[len(MARK) :]
+    ends = text.rfind(b"\n", 0, len(text.rstrip())) + 1
+    if not text[ends:].lower().split()[:1] == [b"endsolid"]:
         raise FileError(
             f'{path}: a text STL file that does not end with "endsolid"; it is cut off; write or copy it again'
         )
-    parts, start = [np.empty((0, 3, 3))], 0
-    while start < len(data):
-        end = data.find(b"endfacet", min(start + _CHUNK, len(data)))
-        end = len(data) if end < 0 else end + len(b"endfacet")
-        parts.append(_facets(path, data, start, end))
-        start = end
-    return np.concatenate(parts)
+    characters, seen = np.frombuffer(text, np.uint8), none_seen()
+    solids = []
+    heads = list(_heads(text))
+    for head, after in zip(heads, [*heads[1:], None], strict=True):
+        start, end = head.end(), after.start() if after else len(text)
+        if not head["end"]:
+            name = " ".join(head["name"].decode("utf-8", "replace").split())
+            solids.append(Solid(name, _corners(path, text, characters, start, end, seen)))
+        elif text[start:end].strip():
+            place = start + len(text[start:end]) - len(text[start:end].lstrip())
+            raise misfit(path, "text STL", text, place, '"solid" or the end')
+    return solids, Written.of(seen)
 
 
-def _facets(path: str, data: bytes, start: int, end: int) -> Array:
+def _heads(text: bytes) -> Iterator[re.Match[bytes]]:
+    """The lines that hold names. Looking for the word first is several times faster than for its line."""
+    small, place = text.lower(), 0
+    while (found := small.find(b"solid", place)) >= 0:
+        head = _NAMES.match(text, small.rfind(b"\n", place, found) + 1 or place)
+        if head:
+            yield head
+        place = small.find(b"\n", found)
+        place = len(text) if place < 0 else place
+
+
+def _corners(path: str, text: bytes, characters: np.ndarray, start: int, end: int, seen: np.ndarray) -> Array:
     """Corners of the facets between two places, neither inside a facet."""
-    text = _NAMES.sub(b"", data[start:end])
-    words = text.split()
-    if not words:
-        return np.empty((0, 3, 3))
-    if len(words) % len(_FACET) or max(map(len, words)) > _LONGEST_WORD or b"_" in text:  # 1_0 is 10 to Python alone
-        raise _refusal(path, data, start, end)
-    table = np.array(words).reshape(-1, len(_FACET))
-    if np.any(table[:, _KEYWORDS] != np.array(_FACET)[_KEYWORDS]):
-        raise _refusal(path, data, start, end)
-    try:
-        return table[:, _COORDINATES].astype(np.float64).reshape(-1, 3, 3)
-    except ValueError:
-        raise _refusal(path, data, start, end) from None
-
-
-def _refusal(path: str, data: bytes, start: int, end: int) -> FileError:
-    """Says which line is the first that does not fit."""
-    line, place = data.count(b"\n", 0, start) + 1, 0
-    for text in data[start:end].split(b"\n"):
-        if not _NAMES.match(text):
-            for word in text.split():
-                if not _fits(word, _FACET[place]):
-                    shown = word[:40].decode("ascii", "replace")
-                    wanted = "a number" if _FACET[place] == b"0" else f'"{_FACET[place].decode()}"'
-                    return FileError(
-                        f'{path}: not a text STL file: line {line} has "{shown}" where {wanted} is expected;'
-                        " write the file again from the program that made it"
-                    )
-                place = (place + 1) % len(_FACET)
-        line += 1
-    return FileError(
-        f"{path}: the last facet of a text STL file is not complete; it is cut off; write or copy it again"
-    )
-
-
-def _fits(word: bytes, pattern: bytes) -> bool:
-    if pattern != b"0":
-        return word == pattern
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return len(word) <= _LONGEST_WORD and b"_" not in word
+    if text[start:end].isspace():
+        return np.empty((0, 3))
+    problem, place, k, points, late = read_facets(characters, start, end, none_late(), seen)
+    if not problem:
+        beyond = read_late(text, points, late)
+        problem, place = (NOT_FINITE, beyond) if beyond is not None else (problem, place)
+    if problem == UNFINISHED:
+        raise FileError(
+            f"{path}: line {line_at(text, place)}: a facet of this text STL file is not complete, where"
+            f' "{FACET[k]}" is expected the solid ends; it is cut off; {AGAIN}'
+        )
+    if problem:
+        wanted = {
+            NO_NUMBER: "a number",
+            NOT_FINITE: "a finite number (this one is not finite)",
+            NO_WORD: f'"{FACET[k]}"',
+        }
+        raise misfit(path, "text STL", text, place, wanted[problem])
+    return points.reshape(-1, 3)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 
 CREASE = np.radians(28.0)
 """Faces that meet at less than this look smooth; a fillet of three facets still does, a tooth's tip edge never."""
@@ -105,7 +105,7 @@ def _smooth_links(triangles: Indices, face_normals: Array, crease: float) -> Ind
     return np.concatenate([low, np.stack([high_corners[one], high_corners[other]], axis=-1)])
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _groups(count: int, links: Indices) -> Indices:
     """For each of count corners the smallest number in its linked group: a union-find."""
     parent = np.arange(count)

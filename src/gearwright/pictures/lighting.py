@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 from .renderer import rasterise
 
 _MAP = 512
@@ -95,7 +95,7 @@ def _frame(direction: Array) -> Array:
     return np.stack([across, np.cross(direction, across), direction])
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _illuminate(
     points: Array, normals: Array, places: Indices, projection: Array, direction: Array, strength: float, kind: int,
     depth: NDArray[np.float32], light: Array,
@@ -135,7 +135,7 @@ def _illuminate(
         light[s, kind] += strength * cosine * open_share
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def settled(
     light: Array, points: Array, normals: Array, places: Indices, starts: Indices, width: int, pixel: float
 ) -> Array:

@@ -6,10 +6,10 @@ All screen coordinates here are sub-pixels: x right, y down, z nearness (larger 
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 
 CREASE_LINE = 1
 SILHOUETTE = 2
@@ -20,7 +20,7 @@ _SAME_SURFACE = 0.95
 _GROUPS = 4
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def rasterise(
     points: Array, triangles: Indices, depth: NDArray[np.float32], owner: NDArray[np.int32], first: int, stop: int
 ) -> None:
@@ -78,7 +78,7 @@ def rasterise(
                 z += slope_x
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _surface(
     points: Array, triangles: Indices, normals: Array, t: int, x: float, y: float
 ) -> tuple[float, float, float, float, float]:
@@ -103,7 +103,7 @@ def _surface(
     return nx * scale, ny * scale, nz * scale, z, steepness
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def collect(
     points: Array, triangles: Indices, normals: Array, members: Indices,
     depth: NDArray[np.float32], owner: NDArray[np.int32], fineness: int, first: int, stop: int,
@@ -154,7 +154,7 @@ def collect(
     return values[:count].copy(), places[:count].copy()
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _meeting(
     points: Array, triangles: Indices, normals: Array, members: Indices,
     depth: NDArray[np.float32], owner: NDArray[np.int32], row: int, column: int, row2: int, column2: int,
@@ -177,7 +177,7 @@ def _meeting(
     return CREASE_LINE if nx * mx + ny * my + nz * mz < _LINE_COSINE else 0
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def ink(
     points: Array, triangles: Indices, normals: Array, members: Indices,
     depth: NDArray[np.float32], owner: NDArray[np.int32], first: int, stop: int,

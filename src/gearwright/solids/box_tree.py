@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numba import njit
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 
 _LEAF = 4
 """Boxes a leaf holds."""
@@ -56,7 +56,7 @@ def _tree(boxes: Array) -> Array:
         level = nodes[count : 2 * count].reshape(count // 2, 2, 6)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _pairs(boxes: Array, nodes: Array, start: int, stop: int) -> Indices:
     """Pairs (k, 2), the first from start to stop, the second after it."""
     leaves = len(nodes) // 2
@@ -88,7 +88,7 @@ def _pairs(boxes: Array, nodes: Array, start: int, stop: int) -> Indices:
     return found[:count]
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _overlap(ones: Array, i: int, others: Array, j: int) -> bool:
     apart = False
     for axis in range(3):
@@ -96,7 +96,7 @@ def _overlap(ones: Array, i: int, others: Array, j: int) -> bool:
     return not apart
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _last_leaf(node: int, leaves: int) -> int:
     """Number of the last leaf below a node."""
     while node < leaves:

@@ -13,9 +13,9 @@ from collections.abc import Callable
 from typing import cast
 
 import numpy as np
-from numba import njit
 
 from ..arrays import Array
+from ..compiled import compiled
 from ..moments import compensated
 
 _TURN_BOUND = (3.0 + 16.0 * 2.0**-53) * 2.0**-53
@@ -24,10 +24,10 @@ _SPLITTER = 2.0**27 + 1.0
 _MOST_TERMS = 6 * 8 * 4
 """Products of a determinant, parts of each product's factors, parts of each product of three."""
 
-_two_sum = cast("Callable[[float, float], tuple[float, float]]", njit(cache=True, nogil=True)(compensated.two_sum))
+_two_sum = cast("Callable[[float, float], tuple[float, float]]", compiled(compensated.two_sum))
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def certain_turn(points: Array, i: int, j: int, k: int, axis: int) -> int:
     """`turn`, as far as plain arithmetic can tell: 0 also where it cannot."""
     x, y = (axis + 1) % 3, (axis + 2) % 3
@@ -36,7 +36,7 @@ def certain_turn(points: Array, i: int, j: int, k: int, axis: int) -> int:
     return _sign(left - right, _TURN_BOUND * (abs(left) + abs(right)))
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def turn(points: Array, i: int, j: int, k: int, axis: int) -> int:
     """Sense (1, 0, −1) in which points i, j, k follow each other, seen against an axis: 1 is counter-clockwise."""
     certain = certain_turn(points, i, j, k, axis)
@@ -52,7 +52,7 @@ def turn(points: Array, i: int, j: int, k: int, axis: int) -> int:
     return _determinant_sign(high, low)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def certain_side(points: Array, i: int, j: int, k: int, m: int) -> int:
     """`side`, as far as plain arithmetic can tell: 0 also where it cannot."""
     ax, ay, az = points[i, 0] - points[m, 0], points[i, 1] - points[m, 1], points[i, 2] - points[m, 2]
@@ -67,7 +67,7 @@ def certain_side(points: Array, i: int, j: int, k: int, m: int) -> int:
     return -_sign(determinant, _SIDE_BOUND * magnitude)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def side(points: Array, i: int, j: int, k: int, m: int) -> int:
     """Side (1, 0, −1) of the plane through i, j, k on which m lies: 1 is where these run counter-clockwise."""
     certain = certain_side(points, i, j, k, m)
@@ -81,12 +81,12 @@ def side(points: Array, i: int, j: int, k: int, m: int) -> int:
     return -_determinant_sign(high, low)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _sign(value: float, bound: float) -> int:
     return int(value > bound) - int(value < -bound)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _determinant_sign(high: Array, low: Array) -> int:
     """Sign of det(high + low) (3, 3), without rounding."""
     terms = np.empty(_MOST_TERMS)
@@ -98,7 +98,7 @@ def _determinant_sign(high: Array, low: Array) -> int:
     return _sign(terms[count - 1], 0.0) if count else 0
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _add_product(terms: Array, count: int, factor: float, high: Array, low: Array, i: int, j: int, k: int) -> int:
     """Adds ±(row 0, column i)·(row 1, column j)·(row 2, column k) to an expansion; gives its new length."""
     for a in (high[0, i], low[0, i]):
@@ -114,7 +114,7 @@ def _add_product(terms: Array, count: int, factor: float, high: Array, low: Arra
     return count
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _grown(terms: Array, count: int, value: float) -> int:
     """Adds a value to an expansion, parts that do not overlap in rising order; gives its length without zeros."""
     kept = 0
@@ -129,7 +129,7 @@ def _grown(terms: Array, count: int, value: float) -> int:
     return kept
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _two_product(a: float, b: float) -> tuple[float, float]:
     """a · b as rounded product and its rounding error, as `compensated.two_product` has it for arrays."""
     wide_a, wide_b = _SPLITTER * a, _SPLITTER * b

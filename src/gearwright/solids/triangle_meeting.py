@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 from ..moments.faces import triangle_vectors
 
 _LEAST = np.finfo(float).tiny
@@ -33,7 +33,7 @@ def depths(points: Array, triangles: Indices, pairs: Indices) -> Array:
     return np.maximum(reached, 0.0)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _meeting_points(points: Array, triangles: Indices, vectors: Array, pairs: Indices) -> Array:
     found = np.empty((len(pairs), 3))
     for n in range(len(pairs)):
@@ -51,7 +51,7 @@ def _meeting_points(points: Array, triangles: Indices, vectors: Array, pairs: In
     return found
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _clipped(polygon: Array, count: int, origin: Array, inward: Array) -> tuple[Array, int]:
     """The part of a convex polygon (count of the rows) on the inner side of a plane."""
     kept = np.empty_like(polygon)
@@ -68,7 +68,7 @@ def _clipped(polygon: Array, count: int, origin: Array, inward: Array) -> tuple[
     return kept, size
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _middle_of_cut(polygon: Array, count: int, origin: Array, normal: Array) -> Array:
     """Middle of the cut of a polygon by a plane; of the whole polygon where it does not cross; NaN for nothing."""
     total, cuts = np.zeros(3), 0
@@ -88,11 +88,11 @@ def _middle_of_cut(polygon: Array, count: int, origin: Array, normal: Array) -> 
     return total / count if count else np.full(3, np.nan)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _cross(a: Array, b: Array) -> Array:
     return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _dot(a: Array, b: Array) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

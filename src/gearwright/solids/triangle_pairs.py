@@ -11,9 +11,9 @@ Source: Guigue & Devillers, J. Graphics Tools 8 (2003), for the two signs; separ
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from ..arrays import Array, Indices
+from ..compiled import compiled
 from .orientations import certain_side, certain_turn, side, turn
 
 APART, CROSSING, TOUCHING, EDGE_WITHIN, DOUBLED, FACING = range(6)
@@ -25,7 +25,7 @@ Corners = tuple[int, int, int]
 Signs = tuple[int, int, int]
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def projections(points: Array, triangles: Indices) -> Indices:
     """For each triangle an axis (t,) along which it is seen with an area, the best one; −1 if it has none at all."""
     axes = np.empty(len(triangles), np.int64)
@@ -44,7 +44,7 @@ def projections(points: Array, triangles: Indices) -> Indices:
     return axes
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def relations(points: Array, triangles: Indices, axes: Indices, pairs: Indices) -> Indices:
     """APART … FACING for each of pairs (k, 2) of triangles; those without area are apart from all."""
     found = np.empty(len(pairs), np.int64)
@@ -59,7 +59,7 @@ def relations(points: Array, triangles: Indices, axes: Indices, pairs: Indices) 
     return found
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _relation(points: Array, first: Corners, second: Corners, axis: int) -> int:
     # most pairs are far enough apart for plain arithmetic, and neighbours in one plane always are
     if _all_on_one_side(first, second, _certain_sides(points, first, second)):
@@ -76,7 +76,7 @@ def _relation(points: Array, first: Corners, second: Corners, axis: int) -> int:
     return _relation_across(points, first, second, of_first, of_second)
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def edges_within(points: Array, triangles: Indices, pairs: Indices) -> Indices:
     """Of pairs (k, 2) that are EDGE_WITHIN (k, 4): the side's ends, the triangle it lies in, and on which side (1 or
     −1) of that one the other's third corner is."""
@@ -92,7 +92,7 @@ def edges_within(points: Array, triangles: Indices, pairs: Indices) -> Indices:
     return found
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _certain_sides(points: Array, triangle: Corners, other: Corners) -> Signs:
     i, j, k = other
     return (
@@ -102,7 +102,7 @@ def _certain_sides(points: Array, triangle: Corners, other: Corners) -> Signs:
     )
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _sides(points: Array, triangle: Corners, other: Corners) -> Signs:
     """Sides of the other's plane on which a triangle's corners lie."""
     i, j, k = other
@@ -113,7 +113,7 @@ def _sides(points: Array, triangle: Corners, other: Corners) -> Signs:
     )
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _all_on_one_side(triangle: Corners, other: Corners, sides: Signs) -> bool:
     """Whether all corners but the shared ones lie off the other's plane on one side."""
     seen = 0
@@ -126,7 +126,7 @@ def _all_on_one_side(triangle: Corners, other: Corners, sides: Signs) -> bool:
     return seen != 0
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _seen_apart(points: Array, triangle: Corners, other: Corners, axis: int) -> bool:
     """Whether, seen along an axis, all of the other but what is shared surely lies beyond one side of a triangle."""
     sense = certain_turn(points, triangle[0], triangle[1], triangle[2], axis)
@@ -143,7 +143,7 @@ def _seen_apart(points: Array, triangle: Corners, other: Corners, axis: int) -> 
     return False
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _shared(first: Corners, second: Corners) -> int:
     count = 0
     for corner in first:
@@ -152,7 +152,7 @@ def _shared(first: Corners, second: Corners) -> int:
     return count
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _relation_across(points: Array, first: Corners, second: Corners, of_first: Signs, of_second: Signs) -> int:
     """Of triangles in different planes, each with a corner on the other's plane or on both sides of it."""
     lone1, up1 = _lone(of_first)
@@ -177,7 +177,7 @@ def _relation_across(points: Array, first: Corners, second: Corners, of_first: S
     return TOUCHING if shared == 0 or (shared == 1 and long) else APART
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _lone(sides: Signs) -> tuple[int, int]:
     """The corner alone on its side, and that side relative to the other two; not all are 0, nor 1, nor −1."""
     for sign in (1, -1):
@@ -186,12 +186,12 @@ def _lone(sides: Signs) -> tuple[int, int]:
     return (0 if sides[0] == 0 else 1 if sides[1] == 0 else 2), -(sides[0] + sides[1] + sides[2]) // 2
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _straddles(sides: Signs) -> bool:
     return 1 in sides and -1 in sides
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _relation_in_plane(points: Array, first: Corners, second: Corners, axis: int) -> int:
     """Of triangles in one plane, seen along an axis that shows their areas."""
     shared = _shared(first, second)
@@ -205,7 +205,7 @@ def _relation_in_plane(points: Array, first: Corners, second: Corners, axis: int
     return TOUCHING
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _gap(points: Array, triangle: Corners, other: Corners, axis: int, sense: int, shared: int) -> int:
     """2 if all of the other but what is shared lies beyond a side of a triangle, 1 if beyond or on it, else 0."""
     widest = 0
@@ -220,7 +220,7 @@ def _gap(points: Array, triangle: Corners, other: Corners, axis: int, sense: int
     return widest
 
 
-@njit(cache=True, nogil=True)
+@compiled
 def _sides_run_together(points: Array, first: Corners, second: Corners, axis: int) -> bool:
     """Whether sides of both triangles leave the corner they share in the same direction."""
     for corner in first:

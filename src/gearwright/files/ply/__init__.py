@@ -1,0 +1,1 @@
+"""PLY files, version 1.0: text, binary little-endian and binary big-endian."""
