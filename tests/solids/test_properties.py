@@ -214,5 +214,6 @@ def test_dictionary_is_plain_and_complete():
         == (
             "volume mass density centroid first_moment second_moment inertia central_inertia products principal_moments"
             " principal_axes radii_of_gyration moments area bounding_box method error_bound evaluations"
+            " warnings"
         ).split()
     )

@@ -11,7 +11,7 @@ from cyclopts import Parameter as Option
 from ..errors import GearwrightError
 from ..solids.polyhedron import Polyhedron
 from ..solids.self_intersections import SelfIntersections
-from ..solids.validity import PolyhedronValidity
+from ..solids.validity.report import PolyhedronValidity
 from .exits import CHECK_FAILED, DONE, report
 from .json_output import json_line
 from .outputs import progress

@@ -53,4 +53,4 @@ def _named(bodies: tuple[Body, ...]) -> dict[str, Body]:
 
 
 def _polyhedron(body: Body) -> Polyhedron:
-    return Polyhedron(body.vertices, Corners(body.indices, body.offsets))
+    return Polyhedron(body.vertices, Corners(body.indices, body.offsets), rounding=body.rounding)
