@@ -20,7 +20,7 @@ from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections, overlapping
 from .validity.allowed import allowed_moments
 from .validity.examination import examine
-from .validity.kinds import ProblemKind, require_kinds
+from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
 
 
@@ -166,6 +166,9 @@ class Polyhedron:
             moments, area = allowed_moments(validity)
         else:
             moments, area = self._moments, self._moments.area
+        if not moments.body.volume > 0.0:
+            given = f"volume {moments.body.volume:.6g}"
+            raise GeometryError("This polyhedron does not bound a solid", [Problem(given, PROBLEMS["flat"].message)])
         found = MassProperties.from_moments(
             moments.body, density=density, find_extent=partial(Extent, area, moments.bounding_box), warnings=warnings
         )
@@ -225,7 +228,8 @@ def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
     if points.size == 0:
         points = points.reshape(0, 3)
     if points.ndim != 2 or points.shape[1] != 3:
-        problems.append(Problem(f"vertices of shape {points.shape}", "an array (n, 3) is needed"))
+        wanted = "an array (n, 3) is needed; further columns, as of weights, must be left out"
+        problems.append(Problem(f"vertices of shape {points.shape}", wanted))
         return points.reshape(-1, 1)
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):

@@ -25,9 +25,6 @@ _SPACINGS = 4.0
 _SLIVER = 1e-12
 """A face counts as degenerate where its area is less than this × its extent squared."""
 
-_NO_VOLUME = 1e-14
-"""A volume counts as 0 where it is less than this × the area × the diagonal."""
-
 
 def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float = 0.0) -> PolyhedronValidity:
     """Examines faces in the form of `moments.faces`; corners in range, at least three a face.
@@ -44,8 +41,8 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
     edges = edge_defects(bounding, indices, offsets)
     found = patches(bounding, len(offsets) - 1)
     parts = shells(bounding, found.first)
-    nested = nesting(points, indices, offsets, parts)
     measures = face_measures(points, indices, offsets)
+    nested = nesting(points, indices, offsets, parts, measures.areas)
     duplicates, back_to_back = doubled_faces(indices, offsets, found.first)
     diagonal = _diagonal(nested)
     planarity = max(
@@ -79,7 +76,7 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
         buried=np.stack([firsts[nested.buried], sizes[nested.buried]], axis=-1),
         body_labels=nested.bodies()[parts.labels],
         closure=float(np.linalg.norm(measures.residual)) / area if area else 0.0,
-        flat=_flat(nested, area * diagonal) if parts.closed.all() and len(sizes) else None,
+        flat=bool(len(sizes)) and bool(parts.closed.all()) and not nested.volumes.any(),
     )
 
 
@@ -109,7 +106,3 @@ def _unexplained(edges: EdgeDefects, found: Patches, bounding: EdgeUses) -> bool
     alike = two[bounding.forward[two] == bounding.forward[two + 1]]
     one_sided = int(found.one_sided[bounding.faces[alike]].sum())
     return one_sided < len(edges.flipped)
-
-
-def _flat(nested: Nesting, scale: float) -> bool:
-    return abs(float(nested.volumes.sum())) <= _NO_VOLUME * scale

@@ -39,7 +39,7 @@ class PolyhedronValidity:
     buried               (k, 2) components that turn outward in another: voids not reversed, or overlapping bodies
     body_labels          (f,) every face's body, from 0 in the order of first faces: voids are of the body around them
     closure              |Σ n A| / Σ A
-    flat                 whether the whole volume is nothing but rounding error; None where that is not known
+    flat                 whether it closes, but no component has a volume: nothing but rounding error
     """
 
     vertices: Array
@@ -63,7 +63,7 @@ class PolyhedronValidity:
     buried: Indices
     body_labels: Indices
     closure: float
-    flat: bool | None
+    flat: bool
 
     @property
     def components(self) -> int:

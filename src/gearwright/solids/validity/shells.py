@@ -43,10 +43,12 @@ class Shells(NamedTuple):
 
     labels  (f,) number of every face's shell, from 0 in the order of first faces
     closed  (s,) whether the edges of a shell are walked as often one way as the other
+    tight   (s,) whether even numbers of faces meet at them, however these are turned: inside and outside are apart
     """
 
     labels: Indices
     closed: Flags
+    tight: Flags
 
 
 def patches(bounding: EdgeUses, faces: int) -> Patches:
@@ -119,14 +121,15 @@ def _patches(forward: Flags, faces: Indices, starts: Indices, count: int) -> tup
 
 
 @njit(cache=True, nogil=True)
-def _shells(forward: Flags, faces: Indices, starts: Indices, first: Indices) -> tuple[Indices, Flags]:
-    parent, uneven = first.copy(), np.zeros(len(first), np.bool_)
+def _shells(forward: Flags, faces: Indices, starts: Indices, first: Indices) -> tuple[Indices, Flags, Flags]:
+    parent, uneven, odd = first.copy(), np.zeros(len(first), np.bool_), np.zeros(len(first), np.bool_)
     for edge in range(len(starts) - 1):
         start, stop = starts[edge], starts[edge + 1]
         if stop - start == 2:
             uneven[faces[start]] |= forward[start] == forward[start + 1]
         else:
             _join_unbalanced(parent, uneven, first[faces[start:stop]], forward[start:stop])
+            odd[faces[start]] |= (stop - start) % 2 == 1
     labels, shells = np.empty(len(first), np.int64), 0
     for face in range(len(first)):
         above = _root(parent, face)
@@ -135,10 +138,11 @@ def _shells(forward: Flags, faces: Indices, starts: Indices, first: Indices) -> 
             shells += 1
         else:
             labels[face] = labels[above]
-    closed = np.ones(shells, np.bool_)
+    closed, tight = np.ones(shells, np.bool_), np.ones(shells, np.bool_)
     for face in range(len(first)):
         closed[labels[face]] &= not uneven[face]
-    return labels, closed
+        tight[labels[face]] &= not odd[face]
+    return labels, closed, tight
 
 
 @njit(cache=True, nogil=True)
