@@ -60,7 +60,7 @@ def test_a_hole_fails(run, files):
     outcome = run("check", files["open"])
     assert outcome.code == 1
     assert re.search(
-        r"problem: 4 open edges, the first between vertices \d and \d, near \(1, .* in one chain", outcome.out
+        r"problem: 4 open edges, the first between vertices \d and \d, near \(.*, 1\) in one chain", outcome.out
     )
     assert "Close Holes" in outcome.out
     assert "no face passes through another" in outcome.out
