@@ -19,7 +19,6 @@ from .extent import Extent
 from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections, overlapping
 from .validity.allowed import allowed_moments
-from .validity.examination import examine
 from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
 
@@ -133,6 +132,8 @@ class Polyhedron:
 
     @cached_property
     def _validity(self) -> PolyhedronValidity:
+        from .validity.examination import examine
+
         return examine(self.vertices, self.indices, self.offsets, self.rounding)
 
     def self_intersections(self) -> SelfIntersections:

@@ -7,9 +7,10 @@ import numpy as np
 from ...arrays import Array, Indices
 from ...moments.planarity import FaceMeasures, face_measures
 from .doubles import doubled_faces
-from .edges import EdgeDefects, EdgeUses, bounding_uses, edge_defects, edge_uses
+from .edge_defects import EdgeDefects
+from .edges import EdgeUses, Flags, bounding_uses, edge_defects, edge_uses
 from .nesting import Nesting, nesting
-from .report import PolyhedronValidity, of_faces
+from .report import PolyhedronValidity
 from .shells import Patches, patches, pinched_vertices, shells
 
 PLANARITY = 1e-6
@@ -60,7 +61,7 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
         offsets=offsets,
         edges=edges,
         flipped_faces=np.flatnonzero(found.minority()),
-        one_sided=of_faces(found.one_sided, found.first),
+        one_sided=_groups_with(found.one_sided, found.first),
         unexplained_flips=_unexplained(edges, found, bounding),
         degenerate_faces=_degenerate(indices, offsets, measures),
         nonplanar_faces=nonplanar,
@@ -106,3 +107,10 @@ def _unexplained(edges: EdgeDefects, found: Patches, bounding: EdgeUses) -> bool
     alike = two[bounding.forward[two] == bounding.forward[two + 1]]
     one_sided = int(found.one_sided[bounding.faces[alike]].sum())
     return one_sided < len(edges.flipped)
+
+
+def _groups_with(faces: Flags, labels: Indices) -> Indices:
+    """Of groups, by labels (f,), that hold one of the chosen faces (f,): first face and number of faces (k, 2)."""
+    numbers, first, counts = np.unique(labels, return_index=True, return_counts=True)
+    chosen = np.isin(numbers, labels[faces])
+    return np.stack([first[chosen], counts[chosen]], axis=-1).astype(np.int64)

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
 from ...arrays import Array, Indices
 from ...errors import GeometryError, Problem
-from .edges import EdgeDefects, Flags, chains
+from .edge_defects import EdgeDefects, chains
 from .kinds import PROBLEM_KINDS, PROBLEMS, REMARKS, Text
 from .places import counted, edge_place, face_place, vertex_place
 
@@ -211,10 +209,3 @@ class PolyhedronValidity:
 
 def _said(subjects: dict[str, str], texts: dict[str, Text]) -> dict[str, Problem]:
     return {kind: Problem(subject, texts[kind].message) for kind, subject in subjects.items() if subject}
-
-
-def of_faces(faces: Flags, labels: Indices) -> Indices:
-    """Of groups, by labels (f,), that hold one of the chosen faces (f,): first face and number of faces (k, 2)."""
-    numbers, first, counts = np.unique(labels, return_index=True, return_counts=True)
-    chosen = np.isin(numbers, labels[faces])
-    return np.stack([first[chosen], counts[chosen]], axis=-1).astype(np.int64)
