@@ -140,6 +140,7 @@ def test_bodies_that_touch_along_an_edge_are_right_but_remarked():
     report = touching.validity()
     assert report.valid
     assert report.edges.non_manifold.tolist() == [[2, 6]]
+    assert [body.properties().volume for body in touching.bodies()] == [1.0, 1.0]
     assert "non-manifold" in str(report)
 
 
@@ -148,6 +149,10 @@ def test_degenerate_faces_are_remarked_and_harmless():
     assert collapsed.properties().volume == 1
     assert collapsed.validity().degenerate_faces.tolist() == [6, 7, 8]
     assert not len(collapsed.validity().edges.non_manifold)
+    assert set(collapsed.validity().noted) == {"degenerate"}
+    doubled = Polyhedron(CUBE, [[3, 3, 2, 1, 0], *FACES[1:]])
+    assert doubled.validity().degenerate_faces.tolist() == [0]
+    assert set(doubled.validity().noted) == {"degenerate"}
     assert Polyhedron(CUBE, [[3, 3, 2, 1, 0], *FACES[1:]]).properties().volume == 1
 
 

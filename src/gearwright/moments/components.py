@@ -91,15 +91,23 @@ def _windings(
 ) -> tuple[Indices, NDArray[np.bool_]]:
     """Of points around chosen faces. A grid of cells in x and y, about one a point, spares most comparisons."""
     side = int(np.sqrt(len(points)))
-    low_x, low_y = points[:, 0].min(), points[:, 1].min()
-    high_x, high_y = points[:, 0].max(), points[:, 1].max()
+    low_x, low_y, high_x, high_y = np.inf, np.inf, -np.inf, -np.inf
+    for p in range(len(points)):
+        low_x, high_x = min(low_x, points[p, 0]), max(high_x, points[p, 0])
+        low_y, high_y = min(low_y, points[p, 1]), max(high_y, points[p, 1])
     x_rate = side / (high_x - low_x) if high_x > low_x else 0.0
     y_rate = side / (high_y - low_y) if high_y > low_y else 0.0
-    cells = np.empty(len(points), np.int64)
+    cells, starts = np.empty(len(points), np.int64), np.zeros(side * side + 2, np.int64)
     for p in range(len(points)):
         cells[p] = _cell(points[p, 0], low_x, x_rate, side) * side + _cell(points[p, 1], low_y, y_rate, side)
-    order = np.argsort(cells)
-    starts = np.searchsorted(cells[order], np.arange(side * side + 1))
+        starts[cells[p] + 2] += 1
+    for cell in range(2, side * side + 2):
+        starts[cell] += starts[cell - 1]
+    order = np.empty(len(points), np.int64)
+    for p in range(len(points)):
+        # afterwards a cell's points begin at starts[cell]
+        order[starts[cells[p] + 1]] = p
+        starts[cells[p] + 1] += 1
     found, on = np.zeros(len(points), np.int64), np.zeros(len(points), np.bool_)
     for f in faces:
         a = vertices[indices[offsets[f]]]

@@ -53,7 +53,7 @@ def bounding_uses(uses: EdgeUses) -> EdgeUses:
 
 def edge_defects(bounding: EdgeUses, indices: Indices, offsets: Indices) -> EdgeDefects:
     """Defects of the faces' edges: every edge must be walked as often one way as the other."""
-    unlike = _unlike_two(bounding.forward, bounding.starts)
+    unlike = np.flatnonzero(_unlike_two(bounding.forward, bounding.starts))
     uses = np.diff(bounding.starts)[unlike]
     ahead = np.concatenate([[0], np.cumsum(bounding.forward)])
     excess = 2 * np.diff(ahead[bounding.starts])[unlike] - uses
@@ -87,16 +87,18 @@ def _sorted_uses(count: int, indices: Indices, offsets: Indices) -> tuple[Indice
                 of_lower[lower[c] + 1] += 1
                 of_higher[higher[c] + 1] += 1
                 total += 1
-    places, next_places = np.cumsum(of_higher), np.cumsum(of_lower)
+    for vertex in range(count):
+        of_lower[vertex + 1] += of_lower[vertex]
+        of_higher[vertex + 1] += of_higher[vertex]
     by_higher, corners = np.empty(total, np.int64), np.empty(total, np.int64)
     for c in range(len(indices)):
         if lower[c] != higher[c]:
-            by_higher[places[higher[c]]] = c
-            places[higher[c]] += 1
+            by_higher[of_higher[higher[c]]] = c
+            of_higher[higher[c]] += 1
     for place in range(total):
         vertex = lower[by_higher[place]]
-        corners[next_places[vertex]] = by_higher[place]
-        next_places[vertex] += 1
+        corners[of_lower[vertex]] = by_higher[place]
+        of_lower[vertex] += 1
     forward, of_use, starts, edges = np.empty(total, np.bool_), np.empty(total, np.int64), by_higher, 0
     low, high = np.int64(-1), np.int64(-1)
     for use in range(total):
@@ -106,7 +108,9 @@ def _sorted_uses(count: int, indices: Indices, offsets: Indices) -> tuple[Indice
             low, high = lower[c], higher[c]
             starts[edges] = use  # no edge begins before its number: what is written here has been read
             edges += 1
-    return corners, forward, of_use, np.append(starts[:edges], total)
+    ends = np.empty(edges + 1, np.int64)
+    ends[:edges], ends[edges] = starts[:edges], total
+    return corners, forward, of_use, ends
 
 
 @njit(cache=True, nogil=True)
@@ -130,15 +134,10 @@ def _kept(forward: Flags, faces: Indices, starts: Indices) -> Flags:
 
 
 @njit(cache=True, nogil=True)
-def _unlike_two(forward: Flags, starts: Indices) -> Indices:
-    """Edges (k,) that are not used once either way."""
-    found, count = np.empty(16, np.int64), 0
+def _unlike_two(forward: Flags, starts: Indices) -> Flags:
+    """Which edges (e,) are not used once either way."""
+    found = np.ones(len(starts) - 1, np.bool_)
     for edge in range(len(starts) - 1):
         first = starts[edge]
-        if starts[edge + 1] - first == 2 and forward[first] != forward[first + 1]:
-            continue
-        if count == len(found):
-            found = np.concatenate((found, np.empty_like(found)))
-        found[count] = edge
-        count += 1
-    return found[:count].copy()
+        found[edge] = starts[edge + 1] - first != 2 or forward[first] == forward[first + 1]
+    return found

@@ -123,12 +123,13 @@ def _patches(forward: Flags, faces: Indices, starts: Indices, count: int) -> tup
 @njit(cache=True, nogil=True)
 def _shells(forward: Flags, faces: Indices, starts: Indices, first: Indices) -> tuple[Indices, Flags, Flags]:
     parent, uneven, odd = first.copy(), np.zeros(len(first), np.bool_), np.zeros(len(first), np.bool_)
+    balance = np.zeros(len(first), np.int64)
     for edge in range(len(starts) - 1):
         start, stop = starts[edge], starts[edge + 1]
         if stop - start == 2:
             uneven[faces[start]] |= forward[start] == forward[start + 1]
         else:
-            _join_unbalanced(parent, uneven, first[faces[start:stop]], forward[start:stop])
+            _join_unbalanced(parent, uneven, first[faces[start:stop]], forward[start:stop], balance)
             odd[faces[start]] |= (stop - start) % 2 == 1
     labels, shells = np.empty(len(first), np.int64), 0
     for face in range(len(first)):
@@ -146,21 +147,22 @@ def _shells(forward: Flags, faces: Indices, starts: Indices, first: Indices) -> 
 
 
 @njit(cache=True, nogil=True)
-def _join_unbalanced(parent: Indices, uneven: Flags, patches: Indices, forward: Flags) -> None:
-    """Joins the patches of an edge's uses that do not balance there; marks one where all together do not either."""
-    order = np.argsort(patches)
-    total, joined, start = 0, -1, 0
-    while start < len(order):
-        patch, stop, excess = patches[order[start]], start, 0
-        while stop < len(order) and patches[order[stop]] == patch:
-            excess += 1 if forward[order[stop]] else -1
-            stop += 1
-        if excess:
+def _join_unbalanced(parent: Indices, uneven: Flags, patches: Indices, forward: Flags, balance: Indices) -> None:
+    """Joins the patches of an edge's uses that do not balance there; marks one where all together do not either.
+
+    balance   (f,) zeros, and zeros again afterwards
+    """
+    for use in range(len(patches)):
+        balance[patches[use]] += 1 if forward[use] else -1
+    total, joined = 0, -1
+    for use in range(len(patches)):
+        patch = patches[use]
+        if balance[patch]:
+            total += balance[patch]
+            balance[patch] = 0
             if joined >= 0:
                 _join(parent, joined, patch)
             joined = patch
-        total += excess
-        start = stop
     if total:
         uneven[joined] = True
 
