@@ -153,6 +153,9 @@ def test_degenerate_faces_are_remarked_and_harmless():
     doubled = Polyhedron(CUBE, [[3, 3, 2, 1, 0], *FACES[1:]])
     assert doubled.validity().degenerate_faces.tolist() == [0]
     assert set(doubled.validity().noted) == {"degenerate"}
+    again = Polyhedron(CUBE, [FACES[0], [4, 5, 6, 7, 4], *FACES[2:]])
+    assert again.validity().degenerate_faces.tolist() == [1]
+    assert set(again.validity().noted) == {"degenerate"}
     assert Polyhedron(CUBE, [[3, 3, 2, 1, 0], *FACES[1:]]).properties().volume == 1
 
 

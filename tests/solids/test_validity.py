@@ -119,6 +119,13 @@ def test_a_face_with_a_hole_and_a_bridge_to_it_is_sound():
     assert len(Polyhedron(vertices, [*walls, top]).validity().edges.open) == 16
 
 
+def test_a_face_that_runs_along_an_edge_to_and_fro_keeps_its_side_there():
+    to_and_fro = Polyhedron(CUBE, [[3, 2, 1, 0, 1, 0], *FACES[1:]])
+    assert to_and_fro.validity().found == {}
+    assert not len(to_and_fro.validity().edges.non_manifold)
+    assert to_and_fro.properties().volume == pytest.approx(1.0)
+
+
 def _horizontal(points):
     return np.ptp(points[:, 2]) == 0.0
 
@@ -323,6 +330,16 @@ def test_an_allowed_hole_is_closed_towards_the_centre_of_the_box():
     assert "another point would give another volume" in warning
     away = Polyhedron(CUBE + 1e3, FACES[1:]).properties(allow=("open",))
     assert away.volume == pytest.approx(left.volume, rel=1e-12)
+
+
+@pytest.mark.parametrize(("kind", "times"), [("open", 1), ("flipped", 2)])
+def test_the_centre_of_the_box_stays_the_centre_where_the_terms_cancel(kind, times):
+    """Of bodies far apart moments are taken about the centroid, where the closing triangles count."""
+    vertices, faces = joined(cube(), moved(cube(3.0), [20.0, 0, 0]))
+    side = faces.pop(2)  # at y = 0; the centre is at y = 1.5
+    assert np.all(vertices[side, 1] == 0.0)
+    found = Polyhedron(vertices, faces + ([side[::-1]] if kind == "flipped" else [])).properties(allow=(kind,))
+    assert found.volume == pytest.approx(28.0 - times * 1.5 / 3.0, rel=1e-12)
 
 
 def test_what_is_left_without_a_volume_is_refused_though_allowed():
