@@ -1,4 +1,5 @@
 import json
+import re
 
 import numpy as np
 import pytest
@@ -43,6 +44,7 @@ def test_a_body_through_another_fails(run, files):
     assert outcome.code == 1
     assert f"{files['pierced']}: a check failed (24 faces, 2 components)" in outcome.out
     assert "passing through each other" in outcome.out
+    assert "bodies 0 and 1 overlap" in outcome.out
     assert "valid: closed" in outcome.out
 
 
@@ -57,7 +59,10 @@ def test_bodies_in_contact_pass_with_a_remark(run, files):
 def test_a_hole_fails(run, files):
     outcome = run("check", files["open"])
     assert outcome.code == 1
-    assert "problem: 4 open edges" in outcome.out
+    assert re.search(
+        r"problem: 4 open edges, the first between vertices \d and \d, near \(.*, 1\) in one chain", outcome.out
+    )
+    assert "Close Holes" in outcome.out
     assert "no face passes through another" in outcome.out
 
 
@@ -74,6 +79,10 @@ def test_json_has_a_line_for_each_file_that_can_be_used(run, files):
     assert [len(found["touching"]) > 0 for found in crossings] == [False, False, True, False]
     assert np.shape(crossings[1]["points"]) == (crossings[1]["count"], 3)
     assert set(np.array(crossings[1]["points"])[:, 2]) == {0.0, 1.0}
+    assert [found["bodies"] for found in crossings] == [[], [[0, 1]], [], []]
+    assert [line["kinds"] for line in lines] == [[], [], [], ["open"]]
+    assert [line["bodies"] for line in lines] == [1, 2, 2, 1]
+    assert [line["inertia_problems"] for line in lines] == [[], [], [], []]
     assert outcome.code == 2
     assert str(files["missing"]) in outcome.err
 

@@ -1,52 +1,26 @@
-"""Connected components, boxes in boxes, and winding numbers."""
+"""Parts of boundaries: boxes, volumes, and what they wind around."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from gearwright.moments.components import component_labels, component_volumes, containers, winding_number
+from gearwright.moments.components import component_boxes, component_volumes, winding_number, windings
 from gearwright.moments.faces import corner_lists, fan_triangles
 
 from .bodies import cube, gear_like, joined, moved, reversed_faces, star_shaped
 
 
-def test_labels_follow_the_first_faces():
-    body = joined(gear_like(), joined(cube(), star_shaped()))
-    labels = component_labels(len(body[0]), *corner_lists(body[1]))
-    sizes = [len(part[1]) for part in (gear_like(), cube(), star_shaped())]
-    assert labels.tolist() == np.repeat([0, 1, 2], sizes).tolist()
-
-
-def test_a_long_shuffled_strip_is_one_component():
-    random = np.random.default_rng(0)
-    n = 5000
-    strip = np.stack([np.arange(n), np.arange(n) + 1, np.arange(n) + 2], axis=1)
-    shuffled = random.permutation(n + 2)[strip][random.permutation(n)]
-    assert not component_labels(n + 2, *corner_lists(shuffled)).any()
-
-
-def test_signed_volumes_of_components():
+def nested_cubes():
     vertices, faces = joined(cube(2.0), moved(reversed_faces(cube()), 0.5))
-    corners = corner_lists(faces)
-    labels = component_labels(len(vertices), *corners)
-    np.testing.assert_allclose(component_volumes(vertices, *corners, labels, np.zeros((2, 3))), [8.0, -1.0])
+    return vertices, *corner_lists(faces), np.repeat([0, 1], 6)
 
 
-def test_containers_agree_with_comparing_all_pairs():
-    random = np.random.default_rng(3)
-    low = random.integers(0, 6, (40, 3)).astype(float)
-    boxes = np.stack([low, low + random.integers(0, 5, (40, 3))], axis=1)
-    for k, around in enumerate(containers(boxes)):
-        outside = {
-            i
-            for i in range(40)
-            if i != k
-            and (boxes[i, 0] <= boxes[k, 0]).all()
-            and (boxes[i, 1] >= boxes[k, 1]).all()
-            and not (np.array_equal(boxes[i], boxes[k]) and i not in around)
-        }
-        assert set(around.tolist()) == outside
+def test_boxes_and_signed_volumes():
+    boxes = component_boxes(*nested_cubes(), 2)
+    np.testing.assert_array_equal(boxes, [[[0, 0, 0], [2, 2, 2]], [[0.5] * 3, [1.5] * 3]])
+    np.testing.assert_allclose(component_volumes(*nested_cubes(), np.zeros((2, 3))), [8.0, -1.0])
+    np.testing.assert_allclose(component_volumes(*nested_cubes(), boxes.mean(axis=1)), [8.0, -1.0])
 
 
 @pytest.mark.parametrize(("point", "expected"), [((0, 0, 0.25), 1), ((0, 0, 1), 0), ((0.95, 0.13, 0.25), 0)])
@@ -55,3 +29,33 @@ def test_winding_number_of_a_gear_with_non_convex_faces(point, expected):
     triangles = fan_triangles(*corner_lists(faces))
     assert winding_number(np.array(point), vertices, triangles) == pytest.approx(expected, abs=1e-12)
     assert winding_number(np.array(point), vertices, triangles[:, ::-1]) == pytest.approx(-expected, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "body", [gear_like(), gear_like(hole=True), star_shaped(), reversed_faces(star_shaped(seed=2))]
+)
+def test_windings_agree_with_solid_angles(body):
+    """Of random points, and of points below corners and edges, where the lines towards +z meet these exactly."""
+    vertices, faces = body
+    corners = corner_lists(faces)
+    random = np.random.default_rng(5)
+    points = random.uniform(-1.2, 1.2, (300, 3)) * np.where(np.arange(300) % 2, 1.0, 0.5)[:, None]
+    below = np.concatenate([vertices, (vertices + np.roll(vertices, 1, axis=0)) / 2.0])
+    below[:, 2] -= random.uniform(0.01, 1.0, len(below))
+    points = np.concatenate([points, below])
+    parts, labels = np.zeros(len(points), np.int64), np.zeros(len(faces), np.int64)
+    found, on = windings(points, parts, vertices, *corners, labels)
+    triangles = fan_triangles(*corners)
+    angles = np.array([winding_number(point, vertices, triangles) for point in points])
+    clear = np.abs(angles - np.round(angles)) < 1e-6  # the others are on the surface
+    assert clear.sum() > 300
+    assert len(set(found[clear].tolist())) == 2
+    assert np.array_equal(found[clear], np.round(angles[clear]))
+    assert not on[:300].any()
+
+
+def test_windings_are_of_the_part_asked_about_and_know_points_on_it():
+    around = np.array([[1.0, 1.0, 1.0]] * 2 + [[0.25] * 3] * 2 + [[0.5, 1.0, 1.0], [2.0, 2.0, 2.0], [0.5, 0.5, 1.0]])
+    found, on = windings(around, np.array([0, 1, 0, 1, 1, 0, 1]), *nested_cubes())
+    assert found[:4].tolist() == [1, -1, 1, 0]
+    assert on.tolist() == [False] * 4 + [True] * 3

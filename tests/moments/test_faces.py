@@ -1,11 +1,11 @@
-"""Fans, area vectors and planarity of polygon faces."""
+"""Fans and area vectors of polygon faces."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from gearwright.moments.faces import corner_lists, face_vectors, fan_triangles, next_corners, planarity
+from gearwright.moments.faces import corner_lists, face_vectors, fan_triangles, next_corners
 
 L_SHAPE = np.array([[0.0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 1, 0], [1, 2, 0], [0, 2, 0]])
 
@@ -36,21 +36,3 @@ def test_fans_of_mixed_faces():
 def test_area_of_a_non_convex_face_from_any_corner(first):
     faces = corner_lists([np.roll(np.arange(6), first), [0, 2, 1]])
     np.testing.assert_allclose(face_vectors(L_SHAPE, *faces), [[0, 0, 3], [0, 0, -1]], atol=1e-15)
-
-
-def test_planarity_is_relative_to_the_body():
-    lifted = L_SHAPE.copy()
-    lifted[3, 2] = 1e-3
-    faces = corner_lists([range(6), [0, 1, 2]])
-    assert planarity(L_SHAPE + 1e6, *faces).tolist() == [0, 0]
-    found = planarity(lifted, *faces)
-    assert 2e-4 < found[0] < 4e-4
-    assert found[1] == 0
-    np.testing.assert_allclose(planarity(100 * lifted, *faces), found, rtol=1e-6)
-
-
-def test_planarity_without_an_area_vector():
-    bow_tie = np.array([[0.0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]])
-    assert planarity(bow_tie, *corner_lists([range(4)]))[0] < 1e-15
-    bow_tie[:2, 2], bow_tie[2:, 2] = 0.2, -0.2  # a saddle
-    assert planarity(bow_tie, *corner_lists([range(4)])).max() > 0.01

@@ -214,7 +214,7 @@ def test_dictionary_is_plain_and_complete():
         == (
             "volume mass density centroid first_moment second_moment inertia central_inertia products"
             " central_products principal_moments principal_axes principal_quaternion radii_of_gyration"
-            " central_radii_of_gyration moments area bounding_box method error_bound evaluations"
+            " central_radii_of_gyration moments area bounding_box method error_bound evaluations warnings"
         ).split()
     )
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from cyclopts import Parameter as Option
 
-from ..errors import GearwrightError
+from ..errors import GearwrightError, GeometryError, Problem
 from ..solids.polyhedron import Polyhedron
 from ..solids.self_intersections import SelfIntersections
-from ..solids.validity import PolyhedronValidity
+from ..solids.validity.report import PolyhedronValidity
 from .exits import CHECK_FAILED, DONE, report
 from .json_output import json_line
 from .outputs import progress
@@ -23,7 +23,7 @@ def check(
         bool, Option(help="Print one line of JSON for each file.", negative=(), show_default=False)
     ] = False,
 ) -> int:
-    """Holes, flipped and repeated faces, inward and buried bodies, faces that pass through each other.
+    """Holes, flipped and repeated faces, inward and buried bodies, warped faces, faces that pass through each other.
 
     Exit code 1 if a check failed. A file that cannot be used is named on stderr; the others are still done.
     """
@@ -32,24 +32,52 @@ def check(
         try:
             with progress(f"checking {file}"):
                 polyhedron = Polyhedron.load(file)
-                validity, crossings = polyhedron.validity(), polyhedron.self_intersections()
+                findings = Findings.of(polyhedron)
         except (GearwrightError, OSError) as error:
             worst = max(worst, report(error, "gearwright check", subject=str(file)))
             continue
-        passed = validity.valid and not crossings
-        worst = max(worst, DONE if passed else CHECK_FAILED)
+        worst = max(worst, DONE if findings.passed else CHECK_FAILED)
         write = _json if json else _text
-        sys.stdout.write(write(file, len(polyhedron.offsets) - 1, passed, validity, crossings) + "\n")
+        sys.stdout.write(write(file, len(polyhedron.offsets) - 1, findings) + "\n")
     return worst
 
 
-def _json(file: Path, faces: int, passed: bool, validity: PolyhedronValidity, crossings: SelfIntersections) -> str:
-    head = {"file": str(file), "passed": passed, "faces": faces}
-    return json_line({**head, **validity.to_dict(), "self_intersections": crossings.to_dict()})
+class Findings(NamedTuple):
+    """What was found of one polyhedron.
+
+    inertia   why no body can have its moments; empty where other problems leave it without any
+    """
+
+    validity: PolyhedronValidity
+    crossings: SelfIntersections
+    inertia: tuple[Problem, ...]
+
+    @classmethod
+    def of(cls, polyhedron: Polyhedron) -> Findings:
+        inertia: tuple[Problem, ...] = ()
+        if polyhedron.validity().valid:
+            try:
+                polyhedron.properties()
+            except GeometryError as error:
+                inertia = error.problems
+        return cls(polyhedron.validity(), polyhedron.self_intersections(), inertia)
+
+    @property
+    def passed(self) -> bool:
+        return self.validity.valid and not self.crossings and not self.inertia
 
 
-def _text(file: Path, faces: int, passed: bool, validity: PolyhedronValidity, crossings: SelfIntersections) -> str:
+def _json(file: Path, faces: int, findings: Findings) -> str:
+    head = {"file": str(file), "passed": findings.passed, "faces": faces}
+    inertia = {"inertia_problems": [str(problem) for problem in findings.inertia]}
+    crossings = {"self_intersections": findings.crossings.to_dict()}
+    return json_line({**head, **findings.validity.to_dict(), **inertia, **crossings})
+
+
+def _text(file: Path, faces: int, findings: Findings) -> str:
+    validity = findings.validity
     components = "1 component" if validity.components == 1 else f"{validity.components} components"
-    verdict = "all is well" if passed else "a check failed"
+    verdict = "all is well" if findings.passed else "a check failed"
     lines = [f"{file}: {verdict} ({faces} faces, {components})", *str(validity).splitlines()]
-    return "\n  ".join([*lines, *str(crossings).splitlines()])
+    lines += [f"problem: {problem}" for problem in findings.inertia]
+    return "\n  ".join([*lines, *str(findings.crossings).splitlines()])

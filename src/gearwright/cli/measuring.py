@@ -8,21 +8,25 @@ from dataclasses import dataclass, field, replace
 from functools import partial, reduce
 from pathlib import Path
 
-from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
+from ..errors import FileError, GearwrightError, Problem, ProblemsError
 from ..files import formats
 from ..parameters import LENGTH_UNITS, did_you_mean
 from ..solids.extent import Extent
 from ..solids.model import Model
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
+from ..solids.validity.kinds import ProblemKind
 from .built import Units, units_and_density
 from .exits import explained
 
 STANDARD_INPUT = Path("-")
 """Stands for what is piped in."""
 
-ALLOWED: tuple[str, ...] = ()
-"""Kinds of defects that `Polyhedron.properties` can let pass."""
+STREAMED = 100_000_000
+"""Bytes of a binary STL file, two million triangles, from which on it is measured in passing."""
+
+_SMOOTH_ERROR = 1e-8
+"""Up to which two quadratures of smooth shapes agree, or the better one is taken: see `files.step.quadrature`."""
 
 ALL_BODIES = ""
 """Stands for every body that is not named, where densities are given by name."""
@@ -45,7 +49,7 @@ class Question:
     thickness: float | None = None
     surface_density: float | None = None
     subtracted: tuple[Path, ...] = ()
-    allow: tuple[str, ...] = ()
+    allow: tuple[ProblemKind, ...] = ()
 
     @property
     def of_shells(self) -> bool:
@@ -92,14 +96,51 @@ def answer(file: Path, question: Question) -> Answer:
 
 def measured(file: Path, question: Question) -> Measured:
     """A file's properties. Raises GearwrightError where it cannot be read or measured as asked."""
+    streamed = _streamed(file, question)
+    if streamed is not None:
+        return streamed
     model = _model(file)
     unit = _unit(file, model.length_unit, question.length_unit)
     densities = densities_by_body(model.bodies, question.densities)
+    if not question.of_shells:
+        model = model.closed
+        densities = _of_closed(model, densities)
     bodies, together, remarks = _apart_and_together(model, densities, unit, question)
     units = _units(unit, densities, question)
     for other in question.subtracted:
         together = _without(together, other, unit, densities, question)
     return Measured(file=str(file), units=units, together=together, bodies=bodies, remarks=(*model.remarks, *remarks))
+
+
+def _streamed(file: Path, question: Question) -> Measured | None:
+    """Properties of a large binary STL file, in passing; None of any other."""
+    plain = not (question.of_shells or question.allow or question.subtracted)
+    if not plain or file.suffix.lower() != ".stl" or not file.is_file() or file.stat().st_size < STREAMED:
+        return None
+    from ..files.stl_records import records
+    from ..solids.streamed import stream_properties
+
+    try:
+        unit = _unit(file, records(file).length_unit, question.length_unit)
+    except FileError:
+        return None  # a text file, or a broken one: reading it whole says what is wrong
+    density = densities_by_body(["body 1"], question.densities)["body 1"]
+    units, kernel_density = units_and_density(unit, density)
+    found = stream_properties(file, kernel_density)
+    found = replace(found, find_extent=partial(Extent, *found.extent))
+    remark = "read in passing, for its size: whether bodies lie in one another, or some turn inward, `check` would say"
+    return Measured(file=str(file), units=units, together=found, bodies={"body 1": found}, remarks=(remark,))
+
+
+def _of_closed(model: Model, densities: dict[str, float | None]) -> dict[str, float | None]:
+    """Densities of bodies that may have become one."""
+    if set(model.bodies) == set(densities):
+        return densities
+    if len(set(densities.values())) > 1:
+        (name,) = model.bodies
+        problem = Problem(name, "these close only together, as one body; give one density")
+        raise ProblemsError("Bodies of different densities must close by themselves", [problem])
+    return dict.fromkeys(model.bodies, next(iter(densities.values())))
 
 
 def densities_by_body(bodies: Collection[str], given: Mapping[str, float]) -> dict[str, float | None]:
@@ -143,28 +184,38 @@ def _units(unit: str, densities: Mapping[str, float | None], question: Question)
 def _apart_and_together(
     model: Model, densities: Mapping[str, float | None], unit: str, question: Question
 ) -> tuple[dict[str, MassProperties], MassProperties, list[str]]:
-    """Every body, all as one, and remarks. Bodies that close only together are one."""
-    whole, remarks = model.polyhedron, []
-    first = next(iter(densities.values()))
-    like = len(set(densities.values())) == 1
-    try:
-        bodies = {name: _properties(body, densities[name], unit, question) for name, body in model.bodies.items()}
-    except GeometryError as error:
-        if len(model.bodies) == 1:
-            raise
-        whole = model.joined
-        bodies = {", ".join(model.bodies): _properties(whole, first, unit, question)}
-        if not like:
-            raise ProblemsError("Bodies of different densities must close by themselves", error.problems) from None
-        remarks = [f"its {len(model.bodies)} bodies close only together and are taken as one"]
-    remarks += [str(one) for one in whole.validity().remarks] if not question.of_shells else []
+    """Every body, all as one, and remarks."""
+    bodies = {name: _body(model, name, densities[name], unit, question) for name in model.bodies}
+    remarks = [] if question.of_shells else [str(one) for one in model.polyhedron.validity().remarks]
     if len(bodies) == 1:
-        return bodies, next(iter(bodies.values())), remarks
-    together = _properties(whole, first, unit, question)
-    if not like:
-        summed = reduce(MassProperties.__add__, bodies.values())
-        together = replace(summed, find_extent=partial(Extent, *together.extent))
-    return bodies, together, remarks
+        together = next(iter(bodies.values()))
+        return bodies, together, remarks + list(together.warnings)
+    summed = reduce(MassProperties.__add__, bodies.values())
+    if not model.smooth and len(set(densities.values())) == 1:
+        # as one, so that bodies in one another are seen
+        summed = _properties(model.polyhedron, next(iter(densities.values())), unit, question)
+    elif not question.of_shells:
+        model.polyhedron.validity().raise_any(question.allow)
+    extents = [one.extent for one in bodies.values()]
+    whole = reduce(Extent.joined, extents)._replace(area=sum(one.area or 0.0 for one in extents))
+    together = replace(summed, find_extent=partial(Extent, *whole))
+    return bodies, together, remarks + list(together.warnings)
+
+
+def _body(model: Model, name: str, density: float | None, unit: str, question: Question) -> MassProperties:
+    """Of one body: of its smooth shape, where the file has one, with area and box of the polyhedron."""
+    found = _properties(model.bodies[name], density, unit, question)
+    smooth = model.smooth.get(name)
+    if smooth is None or question.of_shells or found.warnings:
+        return found
+    return replace(
+        found,
+        volume=smooth.volume,
+        centroid=smooth.centroid,
+        central_second=smooth.second_moment,
+        method="quadrature",
+        error_bound=_SMOOTH_ERROR,
+    )
 
 
 def _properties(polyhedron: Polyhedron, density: float | None, unit: str, question: Question) -> MassProperties:
@@ -175,7 +226,7 @@ def _properties(polyhedron: Polyhedron, density: float | None, unit: str, questi
     elif question.thickness is not None:
         found = polyhedron.shell_properties(question.thickness, units_and_density(unit, density)[1])
     else:
-        found = polyhedron.properties(units_and_density(unit, density)[1])
+        found = polyhedron.properties(units_and_density(unit, density)[1], allow=question.allow)
     return replace(found, find_extent=partial(Extent, *found.extent))
 
 
@@ -191,6 +242,7 @@ def _without(
         own = model.length_unit or unit
         if own != unit:
             raise FileError(f"{part}: its lengths are in {own}, not {unit}; files of one unit are needed")
+        model = model if question.of_shells else model.closed
         taken = _properties(model.polyhedron, next(iter(densities.values())), unit, question)
     except GearwrightError as error:
         if str(error).startswith(str(part)):

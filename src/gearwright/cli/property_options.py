@@ -12,8 +12,9 @@ from cyclopts import Parameter as Option
 from ..errors import GeometryError, ParameterError, Problem, ProblemsError
 from ..materials import DENSITY, material
 from ..parameters import LENGTH_UNITS, Parameter, did_you_mean
+from ..solids.validity.kinds import ProblemKind
 from .common_options import DENSITY_HELP, MATERIAL_HELP, unsound
-from .measuring import ALLOWED, Question
+from .measuring import Question
 from .views import FILE_AXES, View, axes_in
 
 Format = Literal["table", "json", "csv", "urdf", "sdf", "mjcf"]
@@ -78,8 +79,10 @@ class Wanted:
         float | None, Option(help="Thin sheets of this mass per area, instead of a thickness.", metavar="KG/M²")
     ] = None
     allow: Annotated[
-        list[str] | None,
-        Option(help="Defects to let pass.", metavar="KIND", negative_iterable=(), show=bool(ALLOWED)),
+        list[ProblemKind] | None,
+        Option(
+            help="Answer in spite of a problem, with a warning; may be repeated.", metavar="KIND", negative_iterable=()
+        ),
     ] = None
     jobs: Annotated[
         int | None, Option(help="Processes that share the files.", metavar="N", show_default="by their sizes")
@@ -108,11 +111,6 @@ def asked(wanted: Wanted) -> tuple[Question, View]:
     densities = _densities(wanted, problems)
     view = _view(wanted, problems)
     problems += [*_unit_problems(wanted), *_shell_problems(wanted), *_format_problems(wanted, view)]
-    problems += [
-        Problem(f"--allow {kind}", f"choose one of {', '.join(ALLOWED)}" if ALLOWED else "no defects are let pass yet")
-        for kind in wanted.allow or ()
-        if kind not in ALLOWED
-    ]
     if problems:
         raise ProblemsError("These options cannot be used", problems)
     question = Question(

@@ -1,4 +1,4 @@
-"""Polygon faces of a polyhedron: fans of triangles, area vectors, planarity.
+"""Polygon faces of a polyhedron: fans of triangles, area vectors.
 
 Faces of any sizes are kept in two arrays: `indices` (c,) holds the vertex of every corner, face after
 face; face f owns corners offsets[f] to offsets[f + 1] − 1, `offsets` (f + 1,). At least 3 corners a face.
@@ -103,37 +103,3 @@ def face_vectors(vertices: Array, indices: Indices, offsets: Indices) -> Array:
     if np.all(corners == 3):
         return vectors
     return np.asarray(np.add.reduceat(vectors, np.cumsum(corners - 2) - (corners - 2), axis=0))
-
-
-def planarity(vertices: Array, indices: Indices, offsets: Indices) -> Array:
-    """Largest distance of each face's corners from its mean plane (f,), in diagonals of the bounding box.
-
-    The mean plane goes through the mean of the corners, normal to the face's area vector; where that
-    vanishes, along the corners' two greatest extents. Triangles give 0.
-    """
-    corners = np.diff(offsets)
-    result = np.zeros(len(corners))
-    chosen = np.flatnonzero(corners > 3)
-    if not len(chosen):
-        return result
-    face = np.repeat(np.arange(len(corners)), corners)
-    points = vertices[indices]
-    means = np.add.reduceat(points - vertices[indices[offsets[:-1]]][face], offsets[:-1], axis=0) / corners[:, None]
-    local = points - (vertices[indices[offsets[:-1]]] + means)[face]
-    distances = np.abs(np.einsum("ij,ij->i", local, _normals(vertices, indices, offsets, local)[face]))
-    diagonal = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
-    result[chosen] = np.maximum.reduceat(distances, offsets[:-1])[chosen]
-    return result / diagonal if diagonal else result
-
-
-def _normals(vertices: Array, indices: Indices, offsets: Indices, local: Array) -> Array:
-    """Unit normals (f, 3) of the mean planes."""
-    vectors = face_vectors(vertices, indices, offsets)
-    lengths = np.linalg.norm(vectors, axis=-1)
-    extent = np.maximum.reduceat(np.abs(local).max(axis=-1), offsets[:-1])
-    # below this the direction of the area vector is rounding error
-    vanishing = lengths <= 1e-13 * extent**2
-    normals = vectors / np.where(vanishing, 1.0, lengths)[:, None]
-    for f in np.flatnonzero(vanishing & (np.diff(offsets) > 3)):
-        normals[f] = np.linalg.svd(local[offsets[f] : offsets[f + 1]])[2][-1]
-    return normals

@@ -18,7 +18,6 @@ from ..boundary.nearness import Skin
 from ..boundary.sampling import sampling
 from ..boundary.tessellation import tessellate
 from ..errors import GeometryError, Problem
-from ..moments.components import winding_number
 from .self_intersections import find_self_intersections
 
 _COARSE = 2e-3  # chord tolerance, relative to a body's diagonal, of the polyhedra that are searched
@@ -77,6 +76,8 @@ class _Body:
 
 def _interference(body: _Body, other: _Body, found: Sequence[Contact], name: str, other_name: str) -> Problem | None:
     """What is wrong with where points of a body's surface lie against another body."""
+    from ..moments.components import winding_number
+
     size = max(body.diagonal, other.diagonal)
     sag = other.tolerance / 100.0
     points = _outside(body.points[_in_box(body.points, other.box)], found, size)

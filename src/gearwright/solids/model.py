@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 from ..files import formats
-from ..files.contents import Body, Contents
+from ..files.contents import Body, Contents, SmoothProperties
 from ..files.welding import welded
 from ..moments.faces import Corners
 from .polyhedron import Polyhedron
@@ -19,11 +19,13 @@ class Model:
     """Bodies by name, in the order of their file, and the unit of its lengths.
 
     bodies        names are made different by a number where several have one, "body 1" where they have none
+    smooth        properties of the smooth shapes of which some bodies are polyhedra, by name: of a STEP file's
     length_unit   a key of LENGTH_UNITS; None where the file states none
     remarks       what was read in some way a reader should know of, in words
     """
 
     bodies: Mapping[str, Polyhedron]
+    smooth: Mapping[str, SmoothProperties] = field(default_factory=dict)
     length_unit: str | None = None
     remarks: tuple[str, ...] = ()
 
@@ -35,8 +37,13 @@ class Model:
     @classmethod
     def of(cls, contents: Contents) -> Model:
         """From what a file holds. Raises GeometryError if its faces are none."""
-        bodies = {name: _polyhedron(body) for name, body in _named(contents.bodies).items()}
-        return cls(bodies=bodies, length_unit=contents.length_unit, remarks=contents.remarks)
+        named = _named(contents.bodies)
+        return cls(
+            bodies={name: _polyhedron(body) for name, body in named.items()},
+            smooth={name: body.smooth for name, body in named.items() if body.smooth is not None},
+            length_unit=contents.length_unit,
+            remarks=contents.remarks,
+        )
 
     @cached_property
     def polyhedron(self) -> Polyhedron:
@@ -44,11 +51,28 @@ class Model:
         return Polyhedron.united(self.bodies.values())
 
     @cached_property
-    def joined(self) -> Polyhedron:
-        """All bodies as one whose corners at equal coordinates are one vertex: pieces of one boundary close so."""
-        whole = self.polyhedron
-        points, numbers = welded(whole.vertices)
-        return Polyhedron(points, Corners(numbers[whole.indices], whole.offsets))
+    def closed(self) -> Model:
+        """The bodies with corners at equal coordinates joined where only that closes them, with remarks.
+
+        Programs write corners anew for every face, or one body in pieces: patches that close only together are one
+        body here. What does not close so stays as it stands.
+        """
+        open_ = [name for name, body in self.bodies.items() if not body.validity().closed]
+        joined = {name: _joined(self.bodies[name]) for name in open_}
+        mended = {name: body for name, body in joined.items() if body.validity().closed}
+        remarks = tuple(f"{name} closes only with its corners at equal coordinates joined" for name in mended)
+        if len(mended) < len(open_) and len(self.bodies) > 1:
+            whole = _joined(self.polyhedron)
+            if whole.validity().closed:
+                remark = f"its {len(self.bodies)} bodies close only together and are taken as one"
+                one = {", ".join(self.bodies): whole}
+                return replace(self, bodies=one, smooth={}, remarks=(*self.remarks, remark))
+        return replace(self, bodies={**self.bodies, **mended}, remarks=(*self.remarks, *remarks)) if mended else self
+
+
+def _joined(body: Polyhedron) -> Polyhedron:
+    points, numbers = welded(body.vertices)
+    return Polyhedron(points, Corners(numbers[body.indices], body.offsets), rounding=body.rounding)
 
 
 def _named(bodies: tuple[Body, ...]) -> dict[str, Body]:
@@ -62,4 +86,4 @@ def _named(bodies: tuple[Body, ...]) -> dict[str, Body]:
 
 
 def _polyhedron(body: Body) -> Polyhedron:
-    return Polyhedron(body.vertices, Corners(body.indices, body.offsets))
+    return Polyhedron(body.vertices, Corners(body.indices, body.offsets), rounding=body.rounding)

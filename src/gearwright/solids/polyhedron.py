@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -17,9 +18,11 @@ from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
 from .properties import MassProperties
-from .self_intersections import SelfIntersections, find_self_intersections
+from .self_intersections import SelfIntersections, find_self_intersections, overlapping
 from .shell import shell_properties
-from .validity import PolyhedronValidity, examine
+from .validity.allowed import allowed_moments
+from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
+from .validity.report import PolyhedronValidity
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -29,6 +32,8 @@ class Polyhedron:
     vertices  (n, 3), read-only
     indices   (c,) vertex of every corner, face after face, read-only
     offsets   (f + 1,) face f owns corners offsets[f] to offsets[f + 1] − 1, read-only
+    rounding  largest error of a coordinate, as of one in a file that holds few digits: so far are faces allowed to
+              be off their planes
 
     Faces may be any planar polygons, convex or not, of mixed sizes; counter-clockwise seen from outside.
     """
@@ -36,19 +41,23 @@ class Polyhedron:
     vertices: Array
     indices: Indices
     offsets: Indices
+    rounding: float
 
-    def __init__(self, vertices: ArrayLike, faces: Faces):
+    def __init__(self, vertices: ArrayLike, faces: Faces, *, rounding: float = 0.0):
         """From vertices (n, 3) and faces: integers (m, k), lists of vertex numbers of any lengths, or Corners.
 
         Raises GeometryError, all problems together, if coordinates are not finite, a vertex number is out
-        of range, a face has fewer than 3 corners or an array is not of that shape. Whether the faces
-        close is the question of `validity` and `properties`.
+        of range, a face has fewer than 3 corners, an array is not of that shape, or the rounding is no length.
+        Whether the faces close is the question of `validity` and `properties`.
         """
         problems: list[Problem] = []
         points = _points(vertices, problems)
         indices, offsets = _corners(faces, len(points), problems)
+        if not 0.0 <= rounding < np.inf:
+            problems.append(Problem(f"rounding = {rounding!r}", "a length is needed: how far coordinates may be off"))
         if problems:
             raise GeometryError("This is not a polyhedron", problems)
+        object.__setattr__(self, "rounding", float(rounding))
         for name, array in (("vertices", points), ("indices", indices), ("offsets", offsets)):
             array.flags.writeable = False
             object.__setattr__(self, name, array)
@@ -59,7 +68,8 @@ class Polyhedron:
 
         Raises FileError, MachineError.
         """
-        return cls.united(cls(b.vertices, Corners(b.indices, b.offsets)) for b in formats.read(path).bodies)
+        bodies = formats.read(path).bodies
+        return cls.united(cls(b.vertices, Corners(b.indices, b.offsets), rounding=b.rounding) for b in bodies)
 
     @classmethod
     def united(cls, parts: Iterable[Polyhedron]) -> Polyhedron:
@@ -75,7 +85,28 @@ class Polyhedron:
                 [[0], *(part.offsets[1:] + first for part, first in zip(parts, first_corners, strict=True))]
             ),
         )
-        return cls(np.concatenate([part.vertices for part in parts]), corners)
+        rounding = max(part.rounding for part in parts)
+        return cls(np.concatenate([part.vertices for part in parts]), corners, rounding=rounding)
+
+    def bodies(self) -> tuple[Polyhedron, ...]:
+        """The separate bodies, in the order of first faces; each with its voids, and only the vertices it uses."""
+        validity = self.validity()
+        if validity.bodies <= 1:
+            return (self,)
+        sizes = np.diff(self.offsets)
+        order = np.argsort(validity.body_labels, kind="stable")
+        corners = np.repeat(self.offsets[order] - np.cumsum(sizes[order]) + sizes[order], sizes[order])
+        indices = self.indices[corners + np.arange(len(self.indices))]
+        offsets = np.concatenate([[0], np.cumsum(sizes[order])])
+        first_faces = np.searchsorted(validity.body_labels[order], np.arange(validity.bodies + 1))
+        return tuple(
+            self._part(indices[offsets[start] : offsets[stop]], offsets[start : stop + 1] - offsets[start])
+            for start, stop in pairwise(first_faces)
+        )
+
+    def _part(self, indices: Indices, offsets: Indices) -> Polyhedron:
+        used, numbers = np.unique(indices, return_inverse=True)
+        return Polyhedron(self.vertices[used], Corners(numbers.reshape(-1), offsets), rounding=self.rounding)
 
     def save(self, path: str | Path, *, length_unit: str = "mm") -> None:
         """Writes a file in the format of its suffix (.stl), whole or not at all.
@@ -103,7 +134,9 @@ class Polyhedron:
 
     @cached_property
     def _validity(self) -> PolyhedronValidity:
-        return examine(self.vertices, self.indices, self.offsets)
+        from .validity.examination import examine
+
+        return examine(self.vertices, self.indices, self.offsets, self.rounding)
 
     def self_intersections(self) -> SelfIntersections:
         """Which faces pass through each other, and which touch. Takes about a second for 100,000 triangles.
@@ -111,32 +144,41 @@ class Polyhedron:
         Raises GeometryError if a face cannot be cut into triangles here.
         """
         owners = np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets) - 2)
-        return find_self_intersections(self.vertices, self._simple_triangles(), owners)
+        found = find_self_intersections(self.vertices, self._simple_triangles(), owners)
+        return replace(found, bodies=overlapping(found.pairs, self.validity().body_labels))
 
     @cached_property
     def _moments(self) -> PolyhedronMoments:
         return polyhedron_moments(self.vertices, self.indices, self.offsets)
 
-    def properties(self, density: float = 1.0) -> MassProperties:
+    def properties(self, density: float = 1.0, *, allow: Collection[ProblemKind] = ()) -> MassProperties:
         """Volume, centroid and inertia; density in mass per cubed length unit.
 
-        Raises GeometryError, saying what and where, if the faces do not bound a solid.
+        allow   kinds of problems in spite of which an answer is wanted: "open", "flipped", "one-sided", "repeated",
+                "inward", "nested", "nonplanar". They stand in the answer's `warnings`; docs/validity.md defines what
+                it means then.
+
+        Raises GeometryError, saying what and where, if the faces do not bound a solid, or what is allowed leaves no
+        body that can have such properties; ParameterError for a name that is no kind.
         """
-        if len(self.offsets) == 1:
-            raise GeometryError("This polyhedron does not bound a solid", [Problem("0 faces", "at least 4 are needed")])
-        self.validity().raise_any()
-        moments = self._moments
+        allowed = require_kinds(allow)
+        validity = self.validity()
+        validity.raise_any(allowed)
+        warnings = validity.warnings(allowed)
+        if warnings:
+            moments, area = allowed_moments(validity)
+        else:
+            moments, area = self._moments, self._moments.area
         if not moments.body.volume > 0.0:
-            raise GeometryError(
-                "This polyhedron does not bound a solid",
-                [
-                    Problem(
-                        f"volume {moments.body.volume:.6g}", "must be positive; its faces lie in one plane or cancel"
-                    )
-                ],
-            )
-        extent = partial(self._extent, moments.area)
-        return MassProperties.from_moments(moments.body, density=density, find_extent=extent)
+            given = f"volume {moments.body.volume:.6g}"
+            raise GeometryError("This polyhedron does not bound a solid", [Problem(given, PROBLEMS["flat"].message)])
+        found = MassProperties.from_moments(
+            moments.body, density=density, find_extent=partial(self._extent, area), warnings=warnings
+        )
+        impossible = found.validity()
+        if impossible:
+            raise GeometryError("This polyhedron does not bound a solid", impossible)
+        return found
 
     def _extent(self, area: float) -> Extent:
         return Extent(area, bounding_box(self.vertices, self.indices))
@@ -146,6 +188,8 @@ class Polyhedron:
 
         Raises ParameterError if the thickness is not positive; GeometryError if no face has an area or one is bent.
         """
+        if bent := self.validity().found.get("nonplanar"):
+            raise GeometryError("This surface is no shell", [bent])
         return shell_properties(self.vertices, self.indices, self.offsets, thickness, density)
 
     def transformed(self, matrix: ArrayLike) -> Polyhedron:
@@ -155,10 +199,14 @@ class Polyhedron:
         """
         map_ = _affine_map(matrix)
         points = self.vertices @ map_[:3, :3].T + map_[:3, 3]
-        if np.linalg.det(map_[:3, :3]) > 0.0:
-            return Polyhedron(points, self.faces)
-        faces = self.faces
-        return Polyhedron(points, faces[:, ::-1] if isinstance(faces, np.ndarray) else [face[::-1] for face in faces])
+        rounding = self.rounding * float(np.linalg.norm(map_[:3, :3], 2))
+        corners = Corners(self.indices, self.offsets)
+        if np.linalg.det(map_[:3, :3]) < 0.0:
+            # the corners of every face backwards
+            sizes = np.diff(self.offsets)
+            ends = np.repeat(self.offsets[1:] + self.offsets[:-1] - 1, sizes)
+            corners = Corners(self.indices[ends - np.arange(len(self.indices))], self.offsets)
+        return Polyhedron(points, corners, rounding=rounding)
 
     def _simple_triangles(self) -> Indices:
         """Triangles (t, 3) that do not overlap: fans, each from a corner that sees its whole face."""
@@ -195,7 +243,8 @@ def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
     if points.size == 0:
         points = points.reshape(0, 3)
     if points.ndim != 2 or points.shape[1] != 3:
-        problems.append(Problem(f"vertices of shape {points.shape}", "an array (n, 3) is needed"))
+        wanted = "an array (n, 3) is needed; further columns, as of weights, must be left out"
+        problems.append(Problem(f"vertices of shape {points.shape}", wanted))
         return points.reshape(-1, 1)
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):

@@ -40,6 +40,7 @@ class MassProperties:
     method          how they were found: "exact", "quadrature" or "polyhedron"
     error_bound     bound on the relative error of V and, norm-wise, of the central second moment
     evaluations     how often a quadrature along a motion evaluated it; 0 where none was needed
+    warnings        what is wrong with the boundary and was allowed, and what the values mean then
 
     Everything derived is mass-weighted, except the radii of gyration. Tensors named `central_` are
     about the centroid, the others about the origin; axes are always those of the frame. In `inertia`
@@ -56,6 +57,7 @@ class MassProperties:
     method: Method = "exact"
     error_bound: float = 0.0
     evaluations: int = 0
+    warnings: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         second = fixed_array(self.central_second, (3, 3))
@@ -71,7 +73,12 @@ class MassProperties:
 
     @classmethod
     def from_moments(
-        cls, moments: BodyMoments, *, density: float = 1.0, find_extent: Callable[[], Extent] = Extent
+        cls,
+        moments: BodyMoments,
+        *,
+        density: float = 1.0,
+        find_extent: Callable[[], Extent] = Extent,
+        warnings: tuple[str, ...] = (),
     ) -> MassProperties:
         """From moments about a point near the centroid."""
         return cls(
@@ -83,6 +90,7 @@ class MassProperties:
             method=moments.method,
             error_bound=moments.error_bound,
             evaluations=moments.evaluations,
+            warnings=warnings,
         )
 
     @cached_property
@@ -231,6 +239,7 @@ class MassProperties:
             method=max(self.method, other.method, key=_METHODS.index),
             error_bound=_combined_error(self, other, volume, second),
             evaluations=self.evaluations + other.evaluations,
+            warnings=tuple(dict.fromkeys(self.warnings + other.warnings)),
         )
 
     def validity(self) -> tuple[Problem, ...]:
@@ -261,11 +270,12 @@ class MassProperties:
         names = (
             "volume mass density centroid first_moment second_moment inertia central_inertia products central_products"
             " principal_moments principal_axes principal_quaternion radii_of_gyration central_radii_of_gyration moments"
-            " area bounding_box method error_bound evaluations"
+            " area bounding_box method error_bound evaluations warnings"
         )
         values: dict[str, Any] = {name: getattr(self, name) for name in names.split()}
         for name in ("products", "central_products"):
             values[name] = dict(zip(("xy", "yz", "zx"), values[name].tolist(), strict=True))
+        values["warnings"] = list(self.warnings)
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,7 @@ class SelfIntersections:
     points    (k, 3) a point of each pair's meeting
     depths    (k,) how far the shallower face of each reaches past the other's plane: 0 for meetings in a plane or
               along an edge, and next to nothing where faces should only touch but their coordinates are rounded
+    bodies    (b, 2) separate bodies, by their numbers in `Polyhedron.bodies()`, whose faces pass through each other
     touching  (m, 2) faces that touch without that: by side or corner, or face to face as bodies in contact do
 
     What faces share by vertex number is no meeting, and faces without area meet nothing. All signs are exact: rounding
@@ -31,6 +32,7 @@ class SelfIntersections:
     points: Array
     depths: Array
     touching: Indices
+    bodies: Indices = field(default_factory=lambda: np.empty((0, 2), np.int64))
 
     def __bool__(self) -> bool:
         return self.count > 0
@@ -48,11 +50,19 @@ class SelfIntersections:
         x, y, z = self.points[0]
         deepest = self.depths.max()
         deep = f", up to {deepest:.2g} deep" if deepest > 0.0 else ""
+        how = f"passing through each other{deep}{self._overlaps()}"
         return Problem(
-            f"{_counted(self.pairs)} near ({x:.6g}, {y:.6g}, {z:.6g}), passing through each other{deep}",
+            f"{_counted(self.pairs)} near ({x:.6g}, {y:.6g}, {z:.6g}), {how}",
             "what lies on the wrong side of both counts twice, or negative; usual causes are bodies that overlap, which"
             " must be united first, and a sweep that bends more tightly than its section allows",
         )
+
+    def _overlaps(self) -> str:
+        if not len(self.bodies):
+            return ""
+        a, b = self.bodies[0]
+        more = f", and {len(self.bodies) - 1} more pairs of bodies" if len(self.bodies) > 1 else ""
+        return f"; bodies {a} and {b} overlap{more}"
 
     @property
     def remark(self) -> Problem | None:
@@ -76,6 +86,7 @@ class SelfIntersections:
             "points": self.points.tolist(),
             "depths": self.depths.tolist(),
             "touching": self.touching.tolist(),
+            "bodies": self.bodies.tolist(),
             "problem": None if self.problem is None else str(self.problem),
             "remark": None if self.remark is None else str(self.remark),
         }
@@ -89,6 +100,12 @@ class SelfIntersections:
 def _counted(pairs: Indices) -> str:
     first = f"{pairs[0, 0]} and {pairs[0, 1]}"
     return f"1 pair of faces, {first}" if len(pairs) == 1 else f"{len(pairs)} pairs of faces, the first {first}"
+
+
+def overlapping(pairs: Indices, bodies: Indices) -> Indices:
+    """Pairs (b, 2) of different bodies, by every face's body (f,), to which pairs (k, 2) of faces belong."""
+    found = np.unique(np.sort(bodies[pairs], axis=1), axis=0)
+    return found[found[:, 0] != found[:, 1]]
 
 
 def find_self_intersections(vertices: Array, triangles: Indices, owners: Indices) -> SelfIntersections:

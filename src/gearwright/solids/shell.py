@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
-import numpy as np
-
 from ..arrays import Array, Indices
 from ..errors import GeometryError, ParameterError, Problem
-from ..moments.faces import planarity
 from ..moments.shell import surface_moments
 from ..parameters import Parameter
 from .extent import Extent
 from .properties import MassProperties
-from .validity import PLANARITY
 
 _THICKNESS = Parameter(meaning="thickness of a shell", unit="length", above=0)
 
@@ -26,11 +22,11 @@ def shell_properties(
     Volume = area × thickness, centroid and second moment those of the surface; what the sheet has too much or too
     little at edges, and its own spread across, are of higher order. The surface may be open.
 
-    Raises ParameterError if the thickness is not positive; GeometryError if there is no area or a face is not planar.
+    The faces are planar.
+    Raises ParameterError if the thickness is not positive; GeometryError if there is no area.
     """
     if wrong := _THICKNESS.problem(thickness):
         raise ParameterError("A shell", [Problem(f"thickness = {thickness!r}", wrong)])
-    _require_planar(vertices, indices, offsets)
     found = surface_moments(vertices, indices, offsets) if len(offsets) > 1 else None
     if found is None or not found.area > 0.0:
         problem = Problem(f"{len(offsets) - 1} faces", "they have no area; at least one with an area is needed")
@@ -44,15 +40,3 @@ def shell_properties(
         method="polyhedron",
         error_bound=found.error_bound,
     )
-
-
-def _require_planar(vertices: Array, indices: Indices, offsets: Indices) -> None:
-    deviation = planarity(vertices, indices, offsets)
-    bent = np.flatnonzero(deviation > PLANARITY)
-    if len(bent):
-        more = f" and {len(bent) - 1} more" if len(bent) > 1 else ""
-        problem = Problem(
-            f"face {bent[0]}{more}, not planar, up to {deviation.max():.2g} × the bounding diagonal",
-            f"up to {PLANARITY:g} is accepted; such a face has no single area; split it into triangles",
-        )
-        raise GeometryError("This surface is no shell", [problem])
