@@ -18,9 +18,9 @@ import sys
 import gearwright, gearwright.compiled as c
 gearwright.__path__.append(sys.argv[1])
 said = []
-c.tell(said.append)
 from gearwright.made.outer import outer
-print(outer(1), outer(2.5), said)
+with c.telling(said.append):
+    print(outer(1), outer(2.5), said)
 """
 
 

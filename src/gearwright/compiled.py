@@ -8,7 +8,8 @@ module of this package has changed that its own one uses. Where no folder can be
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -20,9 +21,14 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _told: list[Callable[[bool], None]] = []
 
 
-def tell(listener: Callable[[bool], None]) -> None:
+@contextmanager
+def telling(listener: Callable[[bool], None]) -> Iterator[None]:
     """Has a listener called with True when a function begins to be compiled, with False when it is."""
     _told.append(listener)
+    try:
+        yield
+    finally:
+        _told.remove(listener)
 
 
 def compiled(function: _Function) -> _Function:

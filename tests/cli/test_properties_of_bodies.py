@@ -70,12 +70,14 @@ def test_bodies_that_close_only_together_are_one(run, monkeypatch):
     found = json.loads(outcome.out)
     assert (found["volume"], found["mass"]) == (pytest.approx(6), pytest.approx(6e-6))
     assert "bodies" not in found
-    assert "note: box: its 2 bodies close only together and are taken as one" in outcome.err
+    assert "note: box: its 2 bodies bound a solid only together and are taken as one" in outcome.err
 
 
 def test_bodies_that_close_not_even_together_are_refused(run, monkeypatch):
     put(monkeypatch, box=[box("a", [1, 2, 3], faces=FACES[:2]), box("b", [1, 2, 3], faces=FACES[3:])])
-    assert "4 open edges" in refusal(run, "box")
+    said = refusal(run, "box")
+    assert "a: this polyhedron does not bound a solid" in said
+    assert "8 open edges" in said
 
 
 def test_a_void_that_is_a_body_of_its_own_belongs_to_the_other(run, monkeypatch):
@@ -85,8 +87,8 @@ def test_a_void_that_is_a_body_of_its_own_belongs_to_the_other(run, monkeypatch)
     found = json.loads(outcome.out)
     assert found["volume"] == pytest.approx(63)
     assert "bodies" not in found
-    assert "its 2 bodies close only together" in outcome.err
-    assert any("close only together" in remark for remark in found["remarks"])
+    assert "its 2 bodies bound a solid only together" in outcome.err
+    assert any("bound a solid only together" in remark for remark in found["remarks"])
     assert "different densities" in refusal(run, "hollow", "--density", "skin=1", "--density", "void=2")
 
 
@@ -209,7 +211,7 @@ def test_shells_by_thickness_and_by_surface_density(run, monkeypatch):
         (["--format", "urdf"], "--format urdf: it is in kg; a --density or --material is needed"),
         (["--format", "mjcf", "--density", "1", "--axes", "0,1,0,0"], "MJCF takes tensors along"),
         (["--format", "sdf", "--density", "1", "--about", "0", "0", "0"], "about the centre of mass only"),
-        (["--allow", "holes"], "--allow holes: "),
+        (["--allow", "holes"], 'Invalid value "holes" for --allow. Choose from: "open", "flipped"'),
         (["--jsn"], "--jsn: there is no such option; did you mean --json?"),
     ],
 )
@@ -220,3 +222,56 @@ def test_options_that_cannot_be_used_are_refused(run, wheel, words, said):
 def test_all_problems_of_options_are_said_together(run):
     said = refusal(run, "wheel", "--shell", "-1", "--jobs", "0", "--axes", "x", "--density", "a", "--length-unit", "yd")
     assert len(said.splitlines()) == 6
+
+
+def test_allowed_problems_are_answered_with_a_warning(run, monkeypatch):
+    put(monkeypatch, open=[box("box", [1, 2, 3], faces=FACES[1:])])
+    said = refusal(run, "open")
+    assert "or --allow open with the command" in said
+    outcome = run("properties", "open", "--allow", "open", "--json")
+    found = json.loads(outcome.out)
+    assert found["volume"] == pytest.approx(5)  # without the pyramid from the missing side to the middle
+    assert "another point would give another volume" in found["warnings"][0]
+    assert "another point would give another volume" in outcome.err
+    put(monkeypatch, flip=[box("box", [1, 2, 3], faces=[FACES[0][::-1], *FACES[1:]])])
+    assert "flipped" in refusal(run, "flip", "--allow", "open")
+
+
+def test_a_large_binary_stl_file_is_read_in_passing(run, tmp_path, monkeypatch):
+    from gearwright.cli import measuring
+    from gearwright.files import stl
+
+    from .. import shapes
+
+    vertices, triangles = shapes.torus(40, 30)
+    path = tmp_path / "torus.stl"
+    stl.write(path, vertices, triangles, length_unit="in")
+    loaded = document(run, path, "--density", "1000")
+    monkeypatch.setattr(measuring, "STREAMED", 1000)
+    outcome = run("properties", path, "--json", "--density", "1000")
+    found = json.loads(outcome.out)
+    assert "read in passing" in outcome.err
+    assert found["length_unit"] == "in"
+    for key in ("mass", "volume", "area"):
+        assert found[key] == pytest.approx(loaded[key], rel=1e-14)
+    assert np.allclose(found["central_inertia"], loaded["central_inertia"], rtol=1e-13, atol=1e-15)
+    stl.write(path, vertices, triangles[1:], length_unit="in")
+    assert "closure residual" in refusal(run, path)
+    assert "it says itself that lengths are in in" in refusal(run, path, "--length-unit", "mm")
+    # what has to be loaded is
+    assert "3 open edges" in refusal(run, path, "--allow", "flipped")
+
+
+def test_smooth_shapes_of_a_step_file_are_measured(run, tmp_path):
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
+    from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
+
+    writer = STEPControl_Writer()
+    writer.Transfer(BRepPrimAPI_MakeCylinder(3.0, 8.0).Shape(), STEPControl_AsIs)
+    path = tmp_path / "cylinder.step"
+    writer.Write(str(path))
+    found = document(run, path, "--material", "steel")
+    assert found["method"] == "quadrature"
+    assert found["volume"] == pytest.approx(np.pi * 9 * 8, rel=1e-12)
+    assert found["central_inertia"][2][2] == pytest.approx(found["mass"] * 9 / 2, rel=1e-10)
+    assert found["area"] == pytest.approx(2 * np.pi * 3 * 11, rel=1e-3)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial, reduce
 from pathlib import Path
 
-from ..errors import FileError, GearwrightError, Problem, ProblemsError
+from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
 from ..files import formats
 from ..parameters import LENGTH_UNITS, did_you_mean
 from ..solids.extent import Extent
@@ -103,8 +103,8 @@ def measured(file: Path, question: Question) -> Measured:
     unit = _unit(file, model.length_unit, question.length_unit)
     densities = densities_by_body(model.bodies, question.densities)
     if not question.of_shells:
-        model = model.closed
-        densities = _of_closed(model, densities)
+        model = model.sound
+        densities = _of_sound(model, densities)
     bodies, together, remarks = _apart_and_together(model, densities, unit, question)
     units = _units(unit, densities, question)
     for other in question.subtracted:
@@ -132,14 +132,14 @@ def _streamed(file: Path, question: Question) -> Measured | None:
     return Measured(file=str(file), units=units, together=found, bodies={"body 1": found}, remarks=(remark,))
 
 
-def _of_closed(model: Model, densities: dict[str, float | None]) -> dict[str, float | None]:
+def _of_sound(model: Model, densities: dict[str, float | None]) -> dict[str, float | None]:
     """Densities of bodies that may have become one."""
     if set(model.bodies) == set(densities):
         return densities
     if len(set(densities.values())) > 1:
         (name,) = model.bodies
-        problem = Problem(name, "these close only together, as one body; give one density")
-        raise ProblemsError("Bodies of different densities must close by themselves", [problem])
+        problem = Problem(name, "these bound a solid only together, as one body; give one density")
+        raise ProblemsError("Bodies of different densities must bound solids by themselves", [problem])
     return dict.fromkeys(model.bodies, next(iter(densities.values())))
 
 
@@ -204,7 +204,12 @@ def _apart_and_together(
 
 def _body(model: Model, name: str, density: float | None, unit: str, question: Question) -> MassProperties:
     """Of one body: of its smooth shape, where the file has one, with area and box of the polyhedron."""
-    found = _properties(model.bodies[name], density, unit, question)
+    try:
+        found = _properties(model.bodies[name], density, unit, question)
+    except GeometryError as error:
+        if len(model.bodies) == 1:
+            raise
+        raise GeometryError(f"{name}: {error.headline[0].lower()}{error.headline[1:]}", error.problems) from None
     smooth = model.smooth.get(name)
     if smooth is None or question.of_shells or found.warnings:
         return found
@@ -242,7 +247,7 @@ def _without(
         own = model.length_unit or unit
         if own != unit:
             raise FileError(f"{part}: its lengths are in {own}, not {unit}; files of one unit are needed")
-        model = model if question.of_shells else model.closed
+        model = model if question.of_shells else model.sound
         taken = _properties(model.polyhedron, next(iter(densities.values())), unit, question)
     except GearwrightError as error:
         if str(error).startswith(str(part)):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from ..compiled import telling
 from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
 from ..elements.element import Element
@@ -51,11 +52,16 @@ def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
 
 @contextmanager
 def progress(doing: str) -> Iterator[None]:
-    """Says on a terminal's stderr what takes its time, and wipes it when done."""
+    """Says on a terminal's stderr what takes its time, and wipes it when done; and when it is that code is compiled."""
     if not sys.stderr.isatty():
         yield
         return
     from rich.console import Console
 
-    with Console(stderr=True).status(doing + " …"):
-        yield
+    with Console(stderr=True).status(doing + " …") as status:
+
+        def compiling(begins: bool) -> None:
+            status.update(f"{doing} … (compiling for this machine, once)" if begins else f"{doing} …")
+
+        with telling(compiling):
+            yield

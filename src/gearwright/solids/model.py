@@ -51,22 +51,23 @@ class Model:
         return Polyhedron.united(self.bodies.values())
 
     @cached_property
-    def closed(self) -> Model:
-        """The bodies with corners at equal coordinates joined where only that closes them, with remarks.
+    def sound(self) -> Model:
+        """The bodies as they bound solids: pieces of one boundary as one body, with remarks.
 
-        Programs write corners anew for every face, or one body in pieces: patches that close only together are one
-        body here. What does not close so stays as it stands.
+        Where a body does not close, its corners at equal coordinates are joined, if that closes it: programs write
+        corners anew for every face. Where some still bound no solid, but all together do, as patches and voids that
+        are bodies of their own, they are one body. What bounds no solid even so stays as it stands.
         """
-        open_ = [name for name, body in self.bodies.items() if not body.validity().closed]
-        joined = {name: _joined(self.bodies[name]) for name in open_}
-        mended = {name: body for name, body in joined.items() if body.validity().closed}
-        remarks = tuple(f"{name} closes only with its corners at equal coordinates joined" for name in mended)
-        if len(mended) < len(open_) and len(self.bodies) > 1:
-            whole = _joined(self.polyhedron)
-            if whole.validity().closed:
-                remark = f"its {len(self.bodies)} bodies close only together and are taken as one"
-                one = {", ".join(self.bodies): whole}
-                return replace(self, bodies=one, smooth={}, remarks=(*self.remarks, remark))
+        amiss = {name: body for name, body in self.bodies.items() if not body.validity().valid}
+        joined = {name: _joined(body) for name, body in amiss.items() if not body.validity().closed}
+        mended = {name: body for name, body in joined.items() if body.validity().valid}
+        if len(mended) < len(amiss) and len(self.bodies) > 1:
+            for whole in (self.polyhedron, _joined(self.polyhedron)):
+                if whole.validity().valid:
+                    remark = f"its {len(self.bodies)} bodies bound a solid only together and are taken as one"
+                    one = {", ".join(self.bodies): whole}
+                    return replace(self, bodies=one, smooth={}, remarks=(*self.remarks, remark))
+        remarks = (f"{name} closes only with its corners at equal coordinates joined" for name in mended)
         return replace(self, bodies={**self.bodies, **mended}, remarks=(*self.remarks, *remarks)) if mended else self
 
 

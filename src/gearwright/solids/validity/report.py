@@ -134,9 +134,11 @@ class PolyhedronValidity:
             return
         problems = list(refused.values())
         if all(kind in PROBLEM_KINDS for kind in refused):
-            names = ", ".join(f'"{kind}"' for kind in PROBLEM_KINDS if kind in {*refused, *allow})
+            kinds = [kind for kind in PROBLEM_KINDS if kind in {*refused, *allow}]
+            names, options = ", ".join(f'"{kind}"' for kind in kinds), " ".join(f"--allow {kind}" for kind in kinds)
             way = (
-                f"properties(allow=({names},)) in Python answers all the same; docs/validity.md says what it means then"
+                f"properties(allow=({names},)), or {options} with the command, answers all the same;"
+                " docs/validity.md says what it means then"
             )
             problems.append(Problem("once that is known", way))
         raise GeometryError("This polyhedron does not bound a solid", problems)
