@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.errors import GeometryError
-from gearwright.moments.polyhedron import mass_properties
+from gearwright.moments.bare import mass_properties
 from gearwright.solids.model import Model
 from gearwright.solids.polyhedron import Polyhedron
 from gearwright.solids.validity.kinds import PROBLEM_KINDS, PROBLEMS, REMARKS
