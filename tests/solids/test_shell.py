@@ -166,5 +166,5 @@ def test_a_surface_without_area_is_refused():
 
 
 def test_a_bent_face_is_refused():
-    with pytest.raises(gw.GeometryError, match=r"face 0 near .*, not planar"):
+    with pytest.raises(gw.GeometryError, match=r"face, 0 near .*, not planar"):
         gw.Polyhedron([[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]], [[0, 1, 2, 3]]).shell_properties(1)
