@@ -23,20 +23,8 @@ def array(x):
 
 
 @given(numbers, numbers)
-def test_sum_and_product_with_their_errors_are_exact(a, b):
-    x, y = Fraction(a), Fraction(b)
-    assert value(compensated.two_sum(array(a), array(b))) == x + y
-    assert value(compensated.two_product(array(a), array(b))) == x * y
-
-
-@given(numbers, numbers, numbers, numbers)
-def test_doubled_arithmetic_has_thirty_digits(a, b, c, d):
-    x, y = compensated.two_sum(array(a), array(b)), compensated.two_sum(array(c), array(d))
-    p, q = Fraction(a) + Fraction(b), Fraction(c) + Fraction(d)
-    unit = Fraction(1, 10**30)
-    assert abs(value(compensated.multiply(x, y)) - p * q) <= abs(p * q) * unit
-    assert abs(value(compensated.add(x, y)) - (p + q)) <= (abs(p) + abs(q)) * unit
-    assert abs(value(compensated.subtract(x, y)) - (p - q)) <= (abs(p) + abs(q)) * unit
+def test_a_sum_with_its_error_is_exact(a, b):
+    assert value(compensated.two_sum(array(a), array(b))) == Fraction(a) + Fraction(b)
 
 
 @given(st.lists(numbers, max_size=40))

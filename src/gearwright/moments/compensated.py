@@ -1,11 +1,9 @@
-"""Sums and products that keep what floating point drops.
+"""Sums that keep what floating point drops.
 
-Error-free transformations: a sum or product of two float64 numbers as a pair (value, error) whose
-exact sum is the exact result. On them: sums with one rounding at the end, and doubled arithmetic
-(about 32 digits, a number being a pair high + low). All functions work elementwise on arrays.
+The sum of two float64 numbers as a pair (value, error) whose exact sum is the exact result; on it, sums with one
+rounding at the end. All functions work elementwise on arrays.
 
-Sources: Knuth, TAOCP 2, §4.2.2 (two_sum); Dekker, Numer. Math. 18 (1971) (two_product, doubled
-arithmetic); Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) (sums).
+Sources: Knuth, TAOCP 2, §4.2.2 (two_sum); Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) (sums).
 """
 
 from __future__ import annotations
@@ -17,50 +15,12 @@ from ..arrays import Array
 Doubled = tuple[Array, Array]
 """A number in doubled precision: high and low part, |low| ≤ ulp(high)/2."""
 
-_SPLITTER = 2.0**27 + 1.0
-
 
 def two_sum(a: Array, b: Array) -> Doubled:
     """a + b as (rounded sum, its rounding error), exactly, whatever the magnitudes."""
     total = a + b
     b_part = total - a
     return total, (a - (total - b_part)) + (b - b_part)
-
-
-def two_product(a: Array, b: Array) -> Doubled:
-    """a · b as (rounded product, its rounding error), exactly, for |a|, |b| < 1e290."""
-    product = a * b
-    a_high, a_low = _halves(a)
-    b_high, b_low = _halves(b)
-    return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
-
-
-def _halves(a: Array) -> Doubled:
-    wide = _SPLITTER * a
-    high = wide - (wide - a)
-    return high, a - high
-
-
-def add(x: Doubled, y: Doubled) -> Doubled:
-    """x + y, with an error of about 2⁻¹⁰⁵ (|x| + |y|)."""
-    high, low = two_sum(x[0], y[0])
-    return _renormalised(high, low + (x[1] + y[1]))
-
-
-def subtract(x: Doubled, y: Doubled) -> Doubled:
-    """x − y, with an error of about 2⁻¹⁰⁵ (|x| + |y|)."""
-    return add(x, (-y[0], -y[1]))
-
-
-def multiply(x: Doubled, y: Doubled) -> Doubled:
-    """x · y, with a relative error of about 2⁻¹⁰³."""
-    high, low = two_product(x[0], y[0])
-    return _renormalised(high, low + (x[0] * y[1] + x[1] * y[0]))
-
-
-def _renormalised(high: Array, low: Array) -> Doubled:
-    total = high + low
-    return total, low - (total - high)
 
 
 def compensated_sum(values: Array) -> Array:

@@ -131,7 +131,7 @@ def _grown(terms: Array, count: int, value: float) -> int:
 
 @compiled
 def _two_product(a: float, b: float) -> tuple[float, float]:
-    """a · b as rounded product and its rounding error, as `compensated.two_product` has it for arrays."""
+    """a · b as rounded product and its rounding error (Dekker, Numer. Math. 18 (1971))."""
     wide_a, wide_b = _SPLITTER * a, _SPLITTER * b
     a_high, b_high = wide_a - (wide_a - a), wide_b - (wide_b - b)
     product = a * b

@@ -1,7 +1,7 @@
 """The first ten sums in doubled arithmetic, about 32 digits, for bodies whose terms cancel.
 
-A number is a pair of float64, high and low, |low| ≤ ulp(high)/2. The operations are those of `compensated`, with
-fused multiply-adds, on four triangles at a time.
+A number is a pair of float64, high and low, |low| ≤ ulp(high)/2; four triangles are added at a time.
+Source of the operations: Dekker, Numer. Math. 18 (1971), products with fused multiply-adds.
 """
 
 from __future__ import annotations
