@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
@@ -14,6 +13,7 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from ..errors import GearwrightError, Problem, ProblemsError
+from ..moments.summation import processors
 from ..parameters import did_you_mean
 from .batch import in_order
 from .exits import DONE, MACHINES_FAULT, report
@@ -25,8 +25,11 @@ from .property_formats import heading, result
 from .property_options import DEFAULT, FLATTENED, Wanted, asked
 from .summing import Sum
 
-_WORTH_A_PROCESS = 100e6
-"""Bytes of files that take some seconds; starting a process takes about one."""
+_WORTH_A_PROCESS = 3.0
+"""Seconds of work; starting a process takes about one."""
+
+_SECONDS_A_FILE, _SECONDS_A_BYTE = 3e-3, 1 / 40e6
+"""What measuring a file takes, roughly."""
 
 FILES = Option(
     metavar="FILE",
@@ -101,9 +104,8 @@ def _lost(task: Path | Failure, code: int) -> Answer:
 
 def _processes(files: Sequence[Path]) -> int:
     """How many processes are worth their start."""
-    work = sum(_size(file) for file in files)
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return max(1, min(count, len(files), int(work / _WORTH_A_PROCESS)))
+    work = len(files) * _SECONDS_A_FILE + sum(_size(file) for file in files) * _SECONDS_A_BYTE
+    return max(1, min(processors(), len(files), int(work / _WORTH_A_PROCESS)))
 
 
 def _size(file: Path) -> int:
