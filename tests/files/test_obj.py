@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from gearwright.errors import FileError
-from gearwright.files import obj
+from gearwright.files.obj import reader as obj
 
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 

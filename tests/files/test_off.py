@@ -8,7 +8,7 @@ import time
 import pytest
 
 from gearwright.errors import FileError
-from gearwright.files import off
+from gearwright.files.off import reader as off
 
 TEXT = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from ...errors import FileError
-from ..text_places import AGAIN, MARK, line_at, with_line_feeds
+from ..text.places import AGAIN, MARK, line_at, with_line_feeds
 
 Form = Literal["ascii", "binary_little_endian", "binary_big_endian"]
 

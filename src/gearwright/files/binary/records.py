@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Indices
-from ..compiled import compiled
-from ..errors import FileError
-from .decimals import Characters
-from .text_places import AGAIN
+from ...arrays import Indices
+from ...compiled import compiled
+from ...errors import FileError
+from ..text.decimals import Characters
+from ..text.places import AGAIN
 
 
 @dataclass(frozen=True, kw_only=True)

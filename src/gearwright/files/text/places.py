@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..errors import FileError
+from ...errors import FileError
 
 MARK = b"\xef\xbb\xbf"
 """The byte order mark that some programs put before UTF-8."""
