@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from ...errors import FileError
-from ..text.places import AGAIN, MARK, line_at, with_line_feeds
+from ..text.places import AGAIN, MARK, line_at, shown, with_line_feeds
 
 Form = Literal["ascii", "binary_little_endian", "binary_big_endian"]
 
@@ -136,10 +136,9 @@ def _property(words: list[str]) -> Property | None:
 
 
 def _refusal(path: str, data: bytes, place: int, words: list[str]) -> FileError:
-    shown = "".join(c if c.isprintable() else "?" for c in " ".join(words)[:60])
     return FileError(
         f"{path}: line {line_at(with_line_feeds(data), place)} of this PLY file has"
-        f' "{shown}" where a line of the header is expected: format ascii|binary_little_endian|binary_big_endian 1.0,'
-        f" element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME with types"
-        f" {', '.join(list(TYPES)[:8])}, or end_header, every name once; {AGAIN}"
+        f' "{shown(" ".join(words), 60)}" where a line of the header is expected: format'
+        f" ascii|binary_little_endian|binary_big_endian 1.0, element NAME COUNT, property TYPE NAME, property list TYPE"
+        f" TYPE NAME with types {', '.join(list(TYPES)[:8])}, or end_header, every name once; {AGAIN}"
     )
