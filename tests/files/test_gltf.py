@@ -396,6 +396,7 @@ def member(scene, path, value):
         ("nodes/0/matrix", [1.0] * 15, "nodes[0].matrix: needs 16 numbers"),
         ("nodes/0/matrix", [1.0] * 16, "nodes[0]: the last row of its matrix"),
         ("nodes/0/rotation", [0, 0, 0, 2], "unit quaternion"),
+        ("nodes/0/rotation", [1e300, 1e300, 0, 0], "unit quaternion"),
         ("nodes/0/scale", [1, 0, 1], 'the transform of the body "corner" is flat'),
         ("nodes/0/scale", [1, 10**400, 1], "nodes[0].scale: needs 3 numbers"),
         ("nodes/0/children", [9], "nodes[0].children[0]: there is no node 9"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, final
@@ -155,7 +156,7 @@ _FROM_UNIT = 1e-2
 
 def _rotation(node: Value, quaternion: list[float]) -> Array:
     """The rotation (3, 3) of a unit quaternion x, y, z, w: v → v + 2 w (q × v) + 2 q × (q × v)."""
-    length = float(np.linalg.norm(quaternion))
+    length = math.hypot(*quaternion)  # which does not overflow, as norms do
     if not abs(length - 1.0) <= _FROM_UNIT:
         raise node.error(f"its rotation {quaternion} has length {length:.6g}; a unit quaternion is needed")
     x, y, z, w = np.array(quaternion) / length
