@@ -114,3 +114,24 @@ def test_refusals(text, said):
         parse(text)
     assert str(caught.value).startswith("part.obj: ")
     assert said in str(caught.value)
+
+
+QUIET = "vt vn vp s usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj mg"
+LEFT_OUT = (
+    "p l curv curv2 surf parm trim hole scrv sp end con cstype deg bmat step ctech stech bsp bzp cdc cdp res call csh"
+)
+
+
+def test_every_statement_of_the_format_is_known():
+    text = TETRAHEDRON + "".join(f"{word} 1\n" for word in QUIET.split())
+    assert not parse(text).remarks
+    (remark,) = parse(text + "".join(f"{word} 1 2\n" * (k + 1) for k, word in enumerate(LEFT_OUT.split()))).remarks
+    assert remark.partition("statements ")[2] == ", ".join(
+        f"{word} ({k + 1})" for k, word in enumerate(LEFT_OUT.split())
+    )
+
+
+@pytest.mark.parametrize("word", ["_interp", "xc_interp", "vv", "ff", "ol", "usemtll", "c_inters", "V", "F", "w" * 300])
+def test_words_that_only_look_like_statements_are_refused(word):
+    with pytest.raises(FileError, match="where a statement of OBJ files"):
+        parse(f"{TETRAHEDRON}{word} 1 2 3\n")

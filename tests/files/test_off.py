@@ -34,6 +34,16 @@ def test_vertices_without_faces_are_left_out():
     assert body.indices.tolist() == [0, 1, 2]
 
 
+@pytest.mark.parametrize("corners", [4, 5, 24, 25, 300])
+def test_faces_of_many_corners(corners):
+    """Of which nobody knows how many there are before they are read."""
+    points = "".join(f"{k} {k * k} 1\n" for k in range(corners))
+    around = " ".join(map(str, range(corners)))
+    (body,) = off.parse(f"OFF {corners} 2 0\n{points}{corners} {around}\n3 2 1 0\n".encode(), "part.off").bodies
+    assert body.indices.tolist() == [*range(corners), 2, 1, 0]
+    assert body.offsets.tolist() == [0, corners, corners + 3]
+
+
 def spoilt(old, new):
     assert old in TEXT
     return TEXT.replace(old, new, 1)

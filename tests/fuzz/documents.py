@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import copy
 import json
 import struct
 
@@ -42,9 +43,9 @@ def _changed(document, chance):
             holder.extend([holder[key]] * chance.choice([1, 1, 100]))
         case 2:
             other, from_key = chance.choice(places)
-            holder[key] = json.loads(json.dumps(other[from_key]))
+            holder[key] = copy.deepcopy(other[from_key])
         case _:
-            holder[key] = chance.choice(_INTERESTING)
+            holder[key] = copy.deepcopy(chance.choice(_INTERESTING))
 
 
 def _places(value):

@@ -61,11 +61,11 @@ def record_places(
 
 @compiled
 def whole(data: Characters, place: int, size: int, signed: bool, little: bool) -> int:
-    """The integer of so many bytes at a place."""
+    """The integer of so many bytes, at most 4, at a place."""
     value = 0
     for k in range(size):
         value = value << 8 | data[place + (size - 1 - k if little else k)]
-    if signed and size < 8 and value >= 1 << (8 * size - 1):
+    if signed and value >= 1 << (8 * size - 1):
         value -= 1 << (8 * size)
     return value
 

@@ -48,8 +48,8 @@ class Package:
             members = self._zip.infolist()
         except _FAULTS as error:
             raise FileError(
-                f"{name}: not a 3MF file, which is a zip package: {error}; it is cut off or of another kind;"
-                " write or copy it again"
+                f"{name}: not a 3MF file, which is a zip package: {shown(str(error), 160)}; it is cut off or of"
+                " another kind; write or copy it again"
             ) from None
         self._members: dict[str, zipfile.ZipInfo] = {}
         for member in members:
@@ -80,7 +80,8 @@ class Package:
                     yield chunk
         except _FAULTS as error:
             raise FileError(
-                f'{self.name}: the part "{shown(part)}" is damaged: {error}; write or copy the file again'
+                f'{self.name}: the part "{shown(part)}" is damaged: {shown(str(error), 160)}; write or copy the file'
+                " again"
             ) from None
 
     def _require_readable(self, member: zipfile.ZipInfo) -> None:
