@@ -65,7 +65,7 @@ def test_not_finite(text):
 @pytest.mark.parametrize(
     "text",
     ["", "-", "+", ".", "-.", "e5", "1e", "1e+", "1e-x", "1x", "1..2", "1.2.3", "--1", "+-1", "1,5", "1_0", "0x1",
-     "1/2", "1#", "1:", "/", "1" * 65, "n", "na", "in", "-in", "nax", "nxn", "xan", "inx", "ixf", "xnf", "anf",
+     "1/2", "1#", "1:", "/", "1D5", "1d5", "1" * 65, "n", "na", "in", "-in", "nax", "nxn", "xan", "inx", "ixf", "xnf", "anf",
      "inn", "naf"],
 )  # fmt: skip
 def test_no_numbers(text):
