@@ -52,6 +52,23 @@ def test_the_most_digits_the_finest_place_and_their_last_digits():
     for text in ("1.25", "0.0007", "-31.6", "9", "100", "4e-6"):
         taken(text, 0, seen)
     assert seen.tolist() == [3, -6, 1 << 5 | 1 << 6 | 1 << 0]
+    seen = none_seen()
+    for text in ("0.1", "1.23", "4.5678"):
+        taken(" " * 100 + text, 100, seen)
+    assert seen.tolist() == [5, -4, 1 << 8]
+
+
+def test_there_is_room_for_every_number_that_is_read_late():
+    words = [f"{k}.5e-{200 + k}" for k in range(100)]
+    data = " ".join(words).encode()
+    numbers, late, place = np.zeros(100), none_late(), 0
+    for slot in range(100):
+        place, _, late = take(np.frombuffer(data, np.uint8), place, numbers, slot, late, none_seen())
+        place += 1
+        assert late[0] == slot + 1
+        assert 3 * late[0] + 3 <= len(late) <= 6 * late[0] + 48
+    assert read_late(data, numbers, late) is None
+    assert numbers.tolist() == [float(word) for word in words]
 
 
 @pytest.mark.parametrize(
@@ -65,8 +82,8 @@ def test_not_finite(text):
 @pytest.mark.parametrize(
     "text",
     ["", "-", "+", ".", "-.", "e5", "1e", "1e+", "1e-x", "1x", "1..2", "1.2.3", "--1", "+-1", "1,5", "1_0", "0x1",
-     "1/2", "1#", "1:", "/", "1D5", "1d5", "1" * 65, "n", "na", "in", "-in", "nax", "nxn", "xan", "inx", "ixf", "xnf", "anf",
-     "inn", "naf"],
+     "1/2", "1#", "1:", "/", "1D5", "1d5", "1" * 65, "n", "na", "in", "-in", "nax", "nxn", "xan", "inx", "ixf", "xnf",
+     "anf", "inn", "naf"],
 )  # fmt: skip
 def test_no_numbers(text):
     assert taken(text)[:2] == (NO_NUMBER, 0)
