@@ -24,7 +24,7 @@ import numpy as np
 from numba import njit
 
 import gearwright as gw
-from gearwright.files import stl
+from gearwright.files.stl import writer as stl
 from gearwright.moments.summation import processors
 
 SHAPES = {20_000: (100, 100), 200_000: (400, 250), 2_000_000: (1000, 1000), 10_000_000: (2500, 2000)}

@@ -239,7 +239,7 @@ def test_allowed_problems_are_answered_with_a_warning(run, monkeypatch):
 
 def test_a_large_binary_stl_file_is_read_in_passing(run, tmp_path, monkeypatch):
     from gearwright.cli import measuring
-    from gearwright.files import stl
+    from gearwright.files.stl import writer as stl
 
     from .. import shapes
 

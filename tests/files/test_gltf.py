@@ -295,8 +295,17 @@ def test_other_extensions():
     refused(changed(corner(), extensionsRequired=["EXT_mesh_gpu_instancing"]), "one node for every instance")
     instanced = changed(corner(), nodes=[{"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {}}, "skin": 0}])
     assert len(parse(instanced.text(), "x").remarks) == 2
-    (remark,) = parse(changed(corner(), extensionsRequired=["OWN_x", "KHR_materials_unlit"]).text(), "x").remarks
-    assert "OWN_x, which is not known" in remark
+    harmless = ["KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization"]
+    assert not parse(changed(corner(), extensionsRequired=harmless).text(), "x").remarks
+    assert_corner(one_body(changed(corner(), extensionsUsed=["OWN_x"]).text()))
+
+
+@pytest.mark.parametrize("name", ["OWN_x", "KHR_gaussian_splatting", "KHR_mesh_quantization_2", "x_KHR_materials_"])
+def test_unknown_extensions_are_refused_where_they_are_required(name):
+    refused(
+        changed(corner(), extensionsRequired=["KHR_materials_unlit", name]),
+        f"requires the glTF extension {name}, which is not known here", "export it without",
+    )  # fmt: skip
 
 
 def test_files_beside_it(tmp_path):
@@ -387,6 +396,7 @@ def member(scene, path, value):
         ("nodes/0/matrix", [1.0] * 15, "nodes[0].matrix: needs 16 numbers"),
         ("nodes/0/matrix", [1.0] * 16, "nodes[0]: the last row of its matrix"),
         ("nodes/0/rotation", [0, 0, 0, 2], "unit quaternion"),
+        ("nodes/0/rotation", [1e300, 1e300, 0, 0], "unit quaternion"),
         ("nodes/0/scale", [1, 0, 1], 'the transform of the body "corner" is flat'),
         ("nodes/0/scale", [1, 10**400, 1], "nodes[0].scale: needs 3 numbers"),
         ("nodes/0/children", [9], "nodes[0].children[0]: there is no node 9"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from gearwright.errors import FileError
-from gearwright.files import obj
+from gearwright.files.obj import reader as obj
 
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 
@@ -103,6 +103,10 @@ def test_what_bounds_no_body_is_left_out_with_a_remark():
         (TETRAHEDRON.replace("f 1 2 4", "f 1 2 99999999999999999999999"), "line 6 has"),
         (TETRAHEDRON.replace("f 1 2 4", "f 1 2.0 4"), 'line 6 has "2.0" where'),
         (TETRAHEDRON.replace("f 1 2 4", "f 1 /2 4"), 'line 6 has "/2" where'),
+        (TETRAHEDRON.replace("f 1 2 4", "f 1 2/1.5 4"), 'line 6 has "2/1.5" where'),
+        (TETRAHEDRON.replace("f 1 2 4", "f 1 2/1,5 4"), 'line 6 has "2/1,5" where'),
+        (TETRAHEDRON.replace("f 1 2 4", "f 1 2/1:5 4"), 'line 6 has "2/1:5" where'),
+        (TETRAHEDRON.replace("f 1 2 4", "f 1 2 4#5"), 'line 6 has "4#5" where'),
         (TETRAHEDRON.replace("f 1 2 4", "face 1 2 4"), 'line 6 has "face" where a statement of OBJ files, as v or f'),
         ("\r\n\r\nfacet normal\r\n", 'line 3 has "facet"'),
         ("f 1 2 3\n", 'line 1 has "1" where no face before there are vertices'),
@@ -114,3 +118,24 @@ def test_refusals(text, said):
         parse(text)
     assert str(caught.value).startswith("part.obj: ")
     assert said in str(caught.value)
+
+
+QUIET = "vt vn vp s usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj mg"
+LEFT_OUT = (
+    "p l curv curv2 surf parm trim hole scrv sp end con cstype deg bmat step ctech stech bsp bzp cdc cdp res call csh"
+)
+
+
+def test_every_statement_of_the_format_is_known():
+    text = TETRAHEDRON + "".join(f"{word} 1\n" for word in QUIET.split())
+    assert not parse(text).remarks
+    (remark,) = parse(text + "".join(f"{word} 1 2\n" * (k + 1) for k, word in enumerate(LEFT_OUT.split()))).remarks
+    assert remark.partition("statements ")[2] == ", ".join(
+        f"{word} ({k + 1})" for k, word in enumerate(LEFT_OUT.split())
+    )
+
+
+@pytest.mark.parametrize("word", ["_interp", "xc_interp", "vv", "ff", "ol", "usemtll", "c_inters", "V", "F", "w" * 300])
+def test_words_that_only_look_like_statements_are_refused(word):
+    with pytest.raises(FileError, match="where a statement of OBJ files"):
+        parse(f"{TETRAHEDRON}{word} 1 2 3\n")

@@ -8,7 +8,7 @@ import time
 import pytest
 
 from gearwright.errors import FileError
-from gearwright.files import off
+from gearwright.files.off import reader as off
 
 TEXT = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
 
@@ -32,6 +32,16 @@ def test_vertices_without_faces_are_left_out():
     (body,) = off.parse(b"OFF 4 1 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3", "part.off").bodies
     assert body.vertices.tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     assert body.indices.tolist() == [0, 1, 2]
+
+
+@pytest.mark.parametrize("corners", [4, 5, 24, 25, 300])
+def test_faces_of_many_corners(corners):
+    """Of which nobody knows how many there are before they are read."""
+    points = "".join(f"{k} {k * k} 1\n" for k in range(corners))
+    around = " ".join(map(str, range(corners)))
+    (body,) = off.parse(f"OFF {corners} 2 0\n{points}{corners} {around}\n3 2 1 0\n".encode(), "part.off").bodies
+    assert body.indices.tolist() == [*range(corners), 2, 1, 0]
+    assert body.offsets.tolist() == [0, corners, corners + 3]
 
 
 def spoilt(old, new):

@@ -8,9 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearwright.errors import FileError
-from gearwright.files import obj, off, stl
+from gearwright.files.obj import reader as obj
+from gearwright.files.off import reader as off
 from gearwright.files.ply import reader as ply
 from gearwright.files.recognition import recognise
+from gearwright.files.stl import reader as stl
 
 from . import random_polyhedra as written
 

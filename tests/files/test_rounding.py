@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gearwright.files import obj
+from gearwright.files.obj import reader as obj
 
 from .random_polyhedra import prism
 

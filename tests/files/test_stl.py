@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from gearwright import disk
 from gearwright.errors import FileError, MachineError
-from gearwright.files import stl
+from gearwright.files.stl import reader, writer
 
 VERTICES = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
 TRIANGLES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
@@ -32,7 +32,7 @@ def binary(triangles=((0.0,) * 9,), count=None, header=b""):
 
 def read(path):
     """Vertices and triangles of a file's one body."""
-    (body,) = stl.parse(disk.contents(path), str(path)).bodies
+    (body,) = reader.parse(disk.contents(path), str(path)).bodies
     return body.vertices, body.indices.reshape(-1, 3)
 
 
@@ -53,7 +53,7 @@ def assert_same_body(found, vertices=VERTICES, triangles=TRIANGLES):
 
 def test_written_and_read(tmp_path):
     path = tmp_path / "part.stl"
-    stl.write(path, VERTICES, TRIANGLES, length_unit="in")
+    writer.write(path, VERTICES, TRIANGLES, length_unit="in")
     assert_same_body(read(path))
     data = path.read_bytes()
     assert len(data) == 84 + 50 * 4
@@ -71,7 +71,7 @@ def test_any_triangles_survive_in_single_precision(tmp_path, seed, n, m):
     vertices[0] = [-5, -5, -5]  # so that not all points are one
     vertices[-1] = [5, 5, 5]
     triangles = random.integers(0, n, (m, 3))
-    stl.write(tmp_path / "part.stl", vertices, triangles)
+    writer.write(tmp_path / "part.stl", vertices, triangles)
     found = read(tmp_path / "part.stl")
     assert_same_body(found, vertices, triangles)
     _, first = np.unique(found[1], return_index=True)
@@ -96,7 +96,7 @@ def test_text(tmp_path):
 
 def test_every_solid_of_a_text_is_a_body_with_its_name():
     second = TEXT.replace(" 1", " 2.5E+00").replace("a b", "Vertex  solid ÿ")
-    first, again = stl.parse((TEXT + second).encode(), "part.stl").bodies
+    first, again = reader.parse((TEXT + second).encode(), "part.stl").bodies
     assert (first.name, again.name) == ("a b", "Vertex solid ÿ")
     assert first.vertices.max() == 1
     assert again.vertices.max() == 2.5
@@ -105,23 +105,23 @@ def test_every_solid_of_a_text_is_a_body_with_its_name():
 
 
 def test_empty_solids_are_left_out_with_a_remark():
-    contents = stl.parse(b"solid nothing\nendsolid\n" + TEXT.encode(), "part.stl")
+    contents = reader.parse(b"solid nothing\nendsolid\n" + TEXT.encode(), "part.stl")
     assert [body.name for body in contents.bodies] == ["a b"]
     assert contents.remarks == ("left out: 1 solids without triangles",)
 
 
 def test_normals_that_are_not_finite_do_not_matter():
-    (body,) = stl.parse(TEXT.replace("normal 0 0 0", "normal -nan(ind) NaN inf").encode(), "part.stl").bodies
+    (body,) = reader.parse(TEXT.replace("normal 0 0 0", "normal -nan(ind) NaN inf").encode(), "part.stl").bodies
     assert len(body.vertices) == 4
 
 
 def test_bytes_after_the_triangles_are_left_out_with_a_remark_if_they_are_few():
-    contents = stl.parse(binary([range(9)]) + b"x" * 25, "part.stl")
+    contents = reader.parse(binary([range(9)]) + b"x" * 25, "part.stl")
     assert contents.bodies[0].vertices.tolist() == [[0, 1, 2], [3, 4, 5], [6, 7, 8]]
     assert contents.remarks == ("left out: 25 bytes after the 1 triangles that the file announces",)
     with pytest.raises(FileError, match="the count is wrong"):
-        stl.parse(binary([range(9)]) + b"x" * 26, "part.stl")
-    assert not stl.parse(binary([range(9)]), "part.stl").remarks
+        reader.parse(binary([range(9)]) + b"x" * 26, "part.stl")
+    assert not reader.parse(binary([range(9)]), "part.stl").remarks
 
 
 def test_text_keeps_double_precision(tmp_path):
@@ -191,13 +191,13 @@ def test_names_that_are_no_files(tmp_path):
     with pytest.raises(FileError, match="device"):
         read("/dev/null")
     with pytest.raises(FileError, match="there is no folder"):
-        stl.write(tmp_path / "nowhere" / "part.stl", VERTICES, TRIANGLES)
+        writer.write(tmp_path / "nowhere" / "part.stl", VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="folder or device"):
-        stl.write(tmp_path, VERTICES, TRIANGLES)
+        writer.write(tmp_path, VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="folder or device"):
-        stl.write("/dev/null", VERTICES, TRIANGLES)
+        writer.write("/dev/null", VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="the name is too long"):
-        stl.write(tmp_path / ("x" * 300 + ".stl"), VERTICES, TRIANGLES)
+        writer.write(tmp_path / ("x" * 300 + ".stl"), VERTICES, TRIANGLES)
 
 
 def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
@@ -209,7 +209,7 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(MachineError, match="No space left on device"):
-        stl.write(path, VERTICES, TRIANGLES)
+        writer.write(path, VERTICES, TRIANGLES)
     assert path.read_bytes() == b"old"
     assert [p.name for p in tmp_path.iterdir()] == ["part.stl"]
 
@@ -230,7 +230,7 @@ def test_writing_keeps_permissions_and_follows_links(tmp_path):
     path.write_bytes(b"old")
     path.chmod(0o640)
     link.symlink_to(path)
-    stl.write(link, VERTICES, TRIANGLES)
+    writer.write(link, VERTICES, TRIANGLES)
     assert link.is_symlink()
     assert path.stat().st_mode & 0o777 == 0o640
     assert_same_body(read(path))
@@ -239,9 +239,9 @@ def test_writing_keeps_permissions_and_follows_links(tmp_path):
 def test_what_single_precision_cannot_hold_is_refused(tmp_path):
     path = tmp_path / "part.stl"
     with pytest.raises(FileError, match="move it to the origin"):
-        stl.write(path, VERTICES * 0.3 + 1e6, TRIANGLES)
+        writer.write(path, VERTICES * 0.3 + 1e6, TRIANGLES)
     with pytest.raises(FileError, match="single precision"):
-        stl.write(path, VERTICES * 1e39, TRIANGLES)
+        writer.write(path, VERTICES * 1e39, TRIANGLES)
     assert not path.exists()
 
 

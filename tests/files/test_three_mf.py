@@ -186,8 +186,14 @@ def test_other_extensions_pass():
     material = 'xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02"'
     colours = '<m:colorgroup id="5"><m:color color="#9e9e9e"/></m:colorgroup>'
     assert not parse(packed(model(colours + OBJECT, attributes=f'requiredextensions="m p" {material}')), "x").remarks
-    (remark,) = parse(packed(model(attributes='requiredextensions="q" xmlns:q="urn:own"')), "x").remarks
-    assert "urn:own, which is not known" in remark
+    assert not parse(packed(model(attributes='xmlns:q="urn:own"')), "x").remarks
+
+
+@pytest.mark.parametrize("uri", ["urn:own", "http://schemas.microsoft.com/3dmanufacturing/carving/2030/01"])
+def test_unknown_extensions_are_refused_where_they_are_required(uri):
+    required = packed(model(attributes=f'requiredextensions="p q" xmlns:q="{uri}"'))
+    refused(required, f"requires the 3MF extension {uri}, which is not known here", "export plain meshes")
+    refused(packed(model(attributes='requiredextensions="z"')), "requires the 3MF extension z,")
 
 
 def spoilt(old, new, *said):

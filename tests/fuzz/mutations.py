@@ -87,11 +87,21 @@ def _word(data, chance, others):
 MUTATIONS = [_flip, _cut, _drop, _insert, _splice, _number, _number, _binary_number, _line, _word]
 
 
-def spoilt(corpus: list[bytes], seed: str) -> bytes:
-    """One of the files with one to four mutations; the same for the same seed."""
+def once(data, chance, others):
+    """One mutation of bytes, without any regard to what they are."""
+    return bytearray(chance.choice(MUTATIONS)(data, chance, others))
+
+
+def spoilt(corpus: list[bytes], seed: str, own=None) -> bytes:
+    """One of the files with one to four mutations; the same for the same seed.
+
+    own   a mutation that knows the format: three of four files get only this one
+    """
     chance = random.Random(seed)
     data = bytearray(chance.choice(corpus))
+    if own and chance.random() < 0.75:
+        return bytes(own(data, chance, corpus))
     for _ in range(chance.choice([1, 1, 2, 4])):
         if data:
-            data = bytearray(chance.choice(MUTATIONS)(data, chance, corpus))
+            data = once(data, chance, corpus)
     return bytes(data)

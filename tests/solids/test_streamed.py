@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.files import stl
+from gearwright.files.stl import writer as stl
 from gearwright.moments.summation import CHUNK
 
 from .. import shapes

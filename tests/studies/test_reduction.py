@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gearwright.errors import FileError, GeometryError
-from gearwright.files import stl
+from gearwright.files.stl import writer as stl
 from gearwright.moments import summation
 from gearwright.solids.streamed import stream_properties
 from gearwright.studies import reduction

@@ -117,7 +117,7 @@ def _streamed(file: Path, question: Question) -> Measured | None:
     plain = not (question.of_shells or question.allow or question.subtracted)
     if not plain or file.suffix.lower() != ".stl" or not file.is_file() or file.stat().st_size < STREAMED:
         return None
-    from ..files.stl_records import records
+    from ..files.stl.records import records
     from ..solids.streamed import stream_properties
 
     try:

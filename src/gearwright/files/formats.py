@@ -40,8 +40,8 @@ FILE_FORMATS = (
         name="STL",
         summary="triangles, binary or text",
         suffixes=(".stl",),
-        parser="gearwright.files.stl:parse",
-        writer="gearwright.files.stl:write",
+        parser="gearwright.files.stl.reader:parse",
+        writer="gearwright.files.stl.writer:write",
     ),
     FileFormat(
         name="3MF",
@@ -65,13 +65,13 @@ FILE_FORMATS = (
         name="OBJ",
         summary="polygons in objects or groups",
         suffixes=(".obj",),
-        parser="gearwright.files.obj:parse",
+        parser="gearwright.files.obj.reader:parse",
     ),
     FileFormat(
         name="OFF",
         summary="polygons, text or binary",
         suffixes=(".off",),
-        parser="gearwright.files.off:parse",
+        parser="gearwright.files.off.reader:parse",
     ),
     FileFormat(
         name="PLY",

@@ -11,6 +11,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import FileError
 from .contents import Body
+from .text.places import shown
 
 Key = TypeVar("Key")
 
@@ -85,13 +86,13 @@ def _mapped(name: str, body: Body, matrix: Array) -> Body:
     stretches = np.linalg.svd(linear, compute_uv=False) if np.isfinite(matrix).all() else np.zeros(3)
     if not stretches[2] > _FLAT * stretches[0]:
         raise FileError(
-            f'{name}: the transform of the body "{body.name}" is flat or not finite: it keeps no volume;'
+            f'{name}: the transform of the body "{shown(body.name)}" is flat or not finite: it keeps no volume;'
             f" {matrix[:3].tolist()}; write the file again from the program that made it"
         )
     with np.errstate(all="ignore"):
         vertices = body.vertices @ linear.T + shift
     if not np.isfinite(vertices).all():
-        raise FileError(f'{name}: the transform of the body "{body.name}" takes it beyond all numbers')
+        raise FileError(f'{name}: the transform of the body "{shown(body.name)}" takes it beyond all numbers')
     mirrors = np.linalg.det(linear / stretches[0]) < 0.0
     return replace(
         body,

@@ -6,7 +6,7 @@ import re
 
 from ..errors import FileError
 from .formats import FILE_FORMATS, FileFormat
-from .text_places import MARK, with_line_feeds
+from .text.places import MARK, with_line_feeds
 
 _SAMPLE = 4096
 _OFF = re.compile(rb"\s*+(?:#[^\n]*+\n\s*+)*+(?:ST)?C?N?4?n?OFF(?![^\s#])")

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
 from ..errors import GeometryError, Problem
-from ..files import formats, stl
+from ..files import formats
+from ..files.stl import writer as stl
 from ..moments.faces import Corners, Faces, corner_lists, face_vectors, fan_triangles, triangle_vectors
 from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..arrays import Array
 from ..errors import GeometryError, Problem
-from ..files.stl_records import Records, records
+from ..files.stl.records import Records, records
 from ..moments.polyhedron import CLOSED
 from ..moments.soup import Look, Soup, soup_moments
 from .extent import Extent

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from ..arrays import Array
 from ..errors import MachineError
-from ..files.stl_records import Records, records
+from ..files.stl.records import Records, records
 from ..moments.soup import Look, Soup, joined
 from ..moments.summation import CHUNK
 from ..solids.properties import MassProperties

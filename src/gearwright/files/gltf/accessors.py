@@ -7,6 +7,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from ..text.places import shown
 from .buffers import Buffers, chosen
 from .document import Value
 
@@ -64,7 +65,7 @@ class Accessors:
     def _read(self, accessor: Value, shape: str, allowed: tuple[int, ...]) -> Numbers:
         given = accessor.text("type")
         if given != shape:
-            raise accessor.error(f'is of type "{given[:20]}"; {shape} is needed here')
+            raise accessor.error(f'is of type "{shown(given, 20)}"; {shape} is needed here')
         dtype = _dtype(accessor, allowed)
         count = accessor.whole("count", least=1)
         self._elements += count

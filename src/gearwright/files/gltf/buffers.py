@@ -9,6 +9,7 @@ from typing import final
 from urllib.parse import unquote
 
 from ... import disk
+from ..text.places import shown
 from .document import Value
 
 MOST_BYTES = 1 << 31
@@ -81,15 +82,15 @@ class Buffers:
         way_out = "save the scene as one file, .glb, or with its data inside"
         relative = Path(given)
         if not given or any(sign in given for sign in ":\\\0") or relative.is_absolute() or ".." in relative.parts:
-            raise buffer.error(f'its uri "{given[:80]}" is no name of a file beside this one; {way_out}')
+            raise buffer.error(f'its uri "{shown(given, 80)}" is no name of a file beside this one; {way_out}')
         own = Path(self._file)
         if self._file == "standard input" or not own.is_file():
             raise buffer.error(
-                f'its data are in the file "{given[:80]}", and without a folder it is not found; {way_out}'
+                f'its data are in the file "{shown(given, 80)}", and without a folder it is not found; {way_out}'
             )
         folder = own.resolve().parent
         if not (folder / relative).resolve().is_relative_to(folder):
-            raise buffer.error(f'its uri "{given[:80]}" leads out of the folder of this file; {way_out}')
+            raise buffer.error(f'its uri "{shown(given, 80)}" leads out of the folder of this file; {way_out}')
         return folder / relative
 
 
@@ -104,7 +105,7 @@ def chosen(listed: list[Value], asking: Value, key: str, what: str) -> Value:
 def _decoded(buffer: Value, uri: str) -> bytes:
     head, found, text = uri.partition(",")
     if not found or not head.endswith(_BASE64):
-        raise buffer.error(f'its data are given as "{head[:40]}"; base64 is needed; write the file again')
+        raise buffer.error(f'its data are given as "{shown(head)}"; base64 is needed; write the file again')
     try:
         return base64.b64decode(unquote(text) if "%" in text else text, validate=True)
     except (binascii.Error, ValueError) as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 
 from ...errors import FileError
+from ..text.places import shown
 from .document import Value, document
 
 _MAGIC = b"glTF"
@@ -22,7 +23,7 @@ def opened(data: bytes, file: str) -> tuple[Value, bytes | None]:
     found = document(text, file)
     version = found.member("asset").text("version")
     if not version.startswith("2."):
-        given = f"of version {version[:20]}" if version else "that states no version"
+        given = f"of version {shown(version, 20)}" if version else "that states no version"
         raise FileError(f"{file}: a glTF file {given}; version 2.0 is read; write it again in that version")
     return found, binary
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, final
@@ -12,6 +13,7 @@ from ...arrays import Array
 from ...errors import FileError
 from ..contents import Body, Contents, Data
 from ..instances import expanded, placed
+from ..text.places import shown
 from .accessors import Accessors
 from .buffers import Buffers, chosen
 from .container import opened
@@ -20,7 +22,10 @@ from .meshes import Meshes
 
 _COMPRESSED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
 _INSTANCING = "EXT_mesh_gpu_instancing"
-_HARMLESS = ("KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "MSFT_texture_")
+_UNDERSTOOD = "KHR_mesh_quantization"
+_HARMLESS = ("KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_lights_", "EXT_texture_", "MSFT_texture_",
+             "MSFT_packing_", "KHR_xmp", "KHR_animation_pointer")  # fmt: skip
+"""How extensions begin that leave meshes and their places as they are."""
 
 
 def parse(data: Data, name: str) -> Contents:
@@ -29,23 +34,25 @@ def parse(data: Data, name: str) -> Contents:
     Coordinates stay as they stand in the file, where y is up; points of a mesh with equal coordinates are joined,
     since glTF splits them where normals or colours change. Mirrored meshes have their faces turned. Poses are those
     of the nodes: animations, skins and morph targets are not applied.
-    Raises FileError if the data are not a whole glTF 2 file with a body, need an extension that hides or repeats
-    meshes, or name data outside the file's folder.
+    Raises FileError if the data are not a whole glTF 2 file with a body, require an extension that hides or repeats
+    meshes or is not known, or name data outside the file's folder.
     """
     found, binary = opened(bytes(data), name)
-    remarks = _extensions(found, name)
+    _require_known(found, name)
     scene = _Scene(found, Meshes(found, Accessors(found, Buffers(found, binary, name))), name)
     bodies = tuple(placed(name, scene.bodies()))
-    remarks += scene.remarks()
+    remarks = scene.remarks()
     if not bodies:
         raise FileError(f"{name}: a glTF file without a body: {'; '.join(remarks) or 'its scene has no meshes'}")
     return Contents(bodies=bodies, length_unit="m", remarks=tuple(remarks))
 
 
-def _extensions(found: Value, name: str) -> list[str]:
-    """Remarks on what the file requires. Raises FileError where meshes cannot be read without it."""
-    required = found.words("extensionsRequired")
-    for one in required:
+def _require_known(found: Value, name: str) -> None:
+    """Raises FileError where the file requires an extension that hides or repeats meshes, or may, being unknown.
+
+    Source: section 3.12: what requires an extension that a reader does not know must not be read.
+    """
+    for one in found.words("extensionsRequired"):
         if one in _COMPRESSED:
             raise FileError(
                 f"{name}: its meshes are compressed ({one}), which is not read; export it without compression, or"
@@ -53,8 +60,11 @@ def _extensions(found: Value, name: str) -> list[str]:
             )
         if one == _INSTANCING:
             raise FileError(f"{name}: requires {one}, which is not read; export it with one node for every instance")
-    unknown = [one for one in required if not one.startswith(_HARMLESS)]
-    return [f"requires the glTF extension {one[:80]}, which is not known and not read" for one in unknown]
+        if one != _UNDERSTOOD and not one.startswith(_HARMLESS):
+            raise FileError(
+                f"{name}: requires the glTF extension {shown(one, 80)}, which is not known here and so may change"
+                " the shape or number of bodies; export it without"
+            )
 
 
 class _Node(NamedTuple):
@@ -146,7 +156,7 @@ _FROM_UNIT = 1e-2
 
 def _rotation(node: Value, quaternion: list[float]) -> Array:
     """The rotation (3, 3) of a unit quaternion x, y, z, w: v → v + 2 w (q × v) + 2 q × (q × v)."""
-    length = float(np.linalg.norm(quaternion))
+    length = math.hypot(*quaternion)  # which does not overflow, as norms do
     if not abs(length - 1.0) <= _FROM_UNIT:
         raise node.error(f"its rotation {quaternion} has length {length:.6g}; a unit quaternion is needed")
     x, y, z, w = np.array(quaternion) / length

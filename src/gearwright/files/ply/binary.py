@@ -7,9 +7,9 @@ import numpy as np
 from ...arrays import Array, Indices
 from ...errors import FileError
 from ...moments.faces import Corners
-from ..record_values import coordinates_at, list_corners
-from ..records import Field, record_places
-from ..text_places import AGAIN
+from ..binary.records import Field, record_places
+from ..binary.values import coordinates_at, list_corners
+from ..text.places import AGAIN
 from .header import LISTS, Element, Header, Property
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from ...errors import FileError
-from ..text_places import AGAIN, MARK, line_at, with_line_feeds
+from ..text.places import AGAIN, MARK, line_at, shown, with_line_feeds
 
 Form = Literal["ascii", "binary_little_endian", "binary_big_endian"]
 
@@ -21,7 +21,7 @@ TYPES = {
 LISTS = ("vertex_indices", "vertex_index")
 """Names of the list of a face's vertices."""
 
-_LONGEST = 1 << 16
+LONGEST = 1 << 16
 _LONGEST_NAME = 64
 _MOST = 10**18
 """More than any file holds: larger counts are refused as no numbers."""
@@ -105,13 +105,13 @@ def read_header(data: bytes, path: str) -> Header:
 
 def _lines(data: bytes, start: int, path: str) -> tuple[list[tuple[int, list[str]]], int]:
     """Places and words of the lines before "end_header", and where the line after that begins."""
-    feed = b"\n" if b"\n" in data[: start + _LONGEST] else b"\r"
+    feed = b"\n" if b"\n" in data[: start + LONGEST] else b"\r"
     lines: list[tuple[int, list[str]]] = []
     place = start
-    while place < min(len(data), start + _LONGEST):
-        end = data.find(feed, place, start + _LONGEST)
+    while place < min(len(data), start + LONGEST):
+        end = data.find(feed, place, start + LONGEST)
         end = len(data) if end < 0 else end
-        words = data[place : min(end, start + _LONGEST)].decode("ascii", "replace").split()
+        words = data[place : min(end, start + LONGEST)].decode("ascii", "replace").split()
         if words == ["end_header"]:
             return lines or [(place, [])], end + 1
         lines.append((place, words))
@@ -121,7 +121,7 @@ def _lines(data: bytes, start: int, path: str) -> tuple[list[tuple[int, list[str
     if not lines or [word.lower() for word in lines[0][1]] != ["ply"]:
         raise FileError(f'{path}: this is no PLY file: its first line is not "ply"')
     raise FileError(
-        f'{path}: the header of this PLY file does not end: "end_header" was expected within {_LONGEST} bytes; the file'
+        f'{path}: the header of this PLY file does not end: "end_header" was expected within {LONGEST} bytes; the file'
         f" is cut off; {AGAIN}"
     )
 
@@ -136,10 +136,9 @@ def _property(words: list[str]) -> Property | None:
 
 
 def _refusal(path: str, data: bytes, place: int, words: list[str]) -> FileError:
-    shown = "".join(c if c.isprintable() else "?" for c in " ".join(words)[:60])
     return FileError(
         f"{path}: line {line_at(with_line_feeds(data), place)} of this PLY file has"
-        f' "{shown}" where a line of the header is expected: format ascii|binary_little_endian|binary_big_endian 1.0,'
-        f" element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME with types"
-        f" {', '.join(list(TYPES)[:8])}, or end_header, every name once; {AGAIN}"
+        f' "{shown(" ".join(words), 60)}" where a line of the header is expected: format'
+        f" ascii|binary_little_endian|binary_big_endian 1.0, element NAME COUNT, property TYPE NAME, property list TYPE"
+        f" TYPE NAME with types {', '.join(list(TYPES)[:8])}, or end_header, every name once; {AGAIN}"
     )

@@ -9,7 +9,7 @@ from ...errors import FileError
 from ..contents import Body, Contents, Data
 from ..parts import used_alone
 from ..rounding import single_precision
-from ..text_places import AGAIN
+from ..text.places import AGAIN
 from .binary import read_binary
 from .header import LISTS, Header, read_header
 from .text import read_text

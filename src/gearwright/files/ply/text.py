@@ -7,9 +7,10 @@ import numpy as np
 from ...arrays import Array
 from ...errors import FileError
 from ...moments.faces import Corners
-from ..decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
 from ..rounding import Written
-from ..rows import (
+from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
+from ..text.places import AGAIN, misfit, with_line_feeds
+from ..text.rows import (
     CORNERS,
     FEW_CORNERS,
     NO_COUNT,
@@ -22,7 +23,6 @@ from ..rows import (
     next_place,
     read_rows,
 )
-from ..text_places import AGAIN, misfit, with_line_feeds
 from .header import LISTS, Element, Header, Property
 
 

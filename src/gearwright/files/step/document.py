@@ -10,6 +10,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import FileError
+from ..text.places import shown
 from .kernel import kernel
 
 _SYNTAX = "Undefined Parsing: "
@@ -134,8 +135,8 @@ def _refuse_syntax_errors(faults: tuple[Fault, ...], file: str) -> None:
     """Open CASCADE would leave out the entities concerned and go on."""
     for fault in faults:
         if fault.text.startswith(_SYNTAX):
-            text = fault.text.removeprefix(_SYNTAX)
-            raise FileError(f"{file}: not a whole STEP file: {text[:160]}; it is damaged; copy or export it again")
+            text = shown(fault.text.removeprefix(_SYNTAX), 160)
+            raise FileError(f"{file}: not a whole STEP file: {text}; it is damaged; copy or export it again")
 
 
 def _length_units(reader: Any) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from ...moments.faces import triangle_vectors
 from ...moments.polyhedron import polyhedron_moments
 from ..contents import Body
 from ..instances import expanded
+from ..text.places import shown
 from .document import Document, Part, subshapes
 from .exchange import Found
 from .faces import DEFLECTION, triangulated
@@ -119,8 +120,8 @@ class _Solids:
         if smooth is None or not abs(smooth.volume - volume) <= tolerance * area:
             found = "none" if smooth is None else f"{smooth.volume:.9g}"
             self._remarks.append(
-                f'Open CASCADE\'s quadrature gives "{body.name}" the volume {found} mm³, its triangles {volume:.9g}: a'
-                " difference that the tolerance does not explain; the quadrature is not used"
+                f'Open CASCADE\'s quadrature gives "{shown(body.name)}" the volume {found} mm³, its triangles'
+                f" {volume:.9g}: a difference that the tolerance does not explain; the quadrature is not used"
             )
             return body
         return replace(body, smooth=smooth)

@@ -12,6 +12,7 @@ from ...arrays import Array
 from ...errors import FileError
 from ..contents import Body, Contents, Data
 from ..instances import expanded, placed
+from ..text.places import shown
 from .model import ModelPart, Object
 from .model_part import read_part
 from .package import Package, part_name
@@ -52,7 +53,7 @@ class _Key(NamedTuple):
     number: int
 
     def __str__(self) -> str:
-        return f"object {self.number} of {self.part}"
+        return f"object {self.number} of {shown(self.part)}"
 
 
 @final
@@ -129,8 +130,8 @@ class _Model:
             found = self._parts[part.lower()] = read_part(self._package, part)
             if found.length_unit != self.start.length_unit:
                 raise FileError(
-                    f"{self._package.name}: lengths of {part} are in {found.length_unit}, those of the part that places"
-                    f" it in {self.start.length_unit}; one unit is needed; write the file again"
+                    f"{self._package.name}: lengths of {shown(part)} are in {found.length_unit}, those of the part"
+                    f" that places it in {self.start.length_unit}; one unit is needed; write the file again"
                 )
         return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...errors import FileError
+from ..text.places import shown
 
 CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 PRODUCTION = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
@@ -21,18 +22,22 @@ _SHAPING = {
 _HARMLESS = ("core", "production", "material", "trianglesets")
 
 
-def require_known(file: str, uri: str) -> str | None:
-    """A remark about an extension that a model requires; None where it leaves meshes as they are.
+def require_known(file: str, uri: str) -> None:
+    """Raises FileError if an extension that a model requires changes the shape of bodies, or may, being unknown.
 
-    Raises FileError if it changes the shape of bodies.
+    Source: 3MF Core Specification 1.3, section 2.3: what requires an extension that a reader does not know is not read.
     """
     word = _word(uri)
     if word in _SHAPING:
         raise FileError(
-            f"{file}: requires the 3MF extension for {_SHAPING[word]} ({uri}), which changes the shape of bodies and is"
-            " not read; export plain meshes"
+            f"{file}: requires the 3MF extension for {_SHAPING[word]} ({shown(uri, 120)}), which changes the shape of"
+            " bodies and is not read; export plain meshes"
         )
-    return None if word in _HARMLESS else f"requires the 3MF extension {uri[:120]}, which is not known and not read"
+    if word not in _HARMLESS:
+        raise FileError(
+            f"{file}: requires the 3MF extension {shown(uri, 120)}, which is not known here and so may change the shape"
+            " of bodies; export plain meshes"
+        )
 
 
 def remark_about(uri: str) -> str | None:

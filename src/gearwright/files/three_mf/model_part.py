@@ -11,6 +11,7 @@ from typing import final
 import numpy as np
 
 from ...arrays import Array
+from ..text.places import shown
 from .extensions import CORE, PRODUCTION, remark_about, require_known
 from .model import Mesh, ModelPart, Object, Reference
 from .package import Package, part_name
@@ -44,7 +45,7 @@ class _Reading:
 
     def __init__(self, file: str, part: str):
         self._file, self._part = file, part
-        self.reader = Reader(f"{file}: {part}", self._start, self._end)
+        self.reader = Reader(f"{file}: {shown(part, 80)}", self._start, self._end)
         handlers = {
             "model": self._model, "object": self._object, "mesh": self._mesh, "vertex": self._vertex,
             "triangle": self._triangle, "component": self._component, "item": self._item,
@@ -106,12 +107,11 @@ class _Reading:
     def _model(self, attributes: Attributes) -> None:
         unit = attributes.get("unit", "millimeter")
         if unit not in UNITS:
-            raise self.reader.error(f'unit="{unit[:40]}"; 3MF has {", ".join(UNITS)}')
+            raise self.reader.error(f'unit="{shown(unit)}"; 3MF has {", ".join(UNITS)}')
         self._unit = UNITS[unit]
         for prefix in attributes.get("requiredextensions", "").split():
             uri = self.reader.prefixes.get(prefix, prefix)
-            if (remark := require_known(self._file, uri)) is not None:
-                self._remarks[remark] = None
+            require_known(self._file, uri)
 
     def _object(self, attributes: Attributes) -> None:
         self._number = self._whole(attributes, "id")
@@ -119,7 +119,7 @@ class _Reading:
             raise self.reader.error(f"a second object has id {self._number}")
         kind = attributes.get("type", "model")
         if kind not in _KINDS:
-            raise self.reader.error(f'type="{kind[:40]}" of an object; 3MF has {", ".join(_KINDS)}')
+            raise self.reader.error(f'type="{shown(kind)}" of an object; 3MF has {", ".join(_KINDS)}')
         name = attributes.get("name") or attributes.get("partnumber") or ""
         self._open = Object(name=name[:_LONGEST], kind=kind)
         self._components = []
@@ -183,7 +183,7 @@ class _Reading:
     def _whole(self, attributes: Attributes, key: str) -> int:
         text = attributes.get(key, "")
         if not _WHOLE.fullmatch(text):
-            raise self.reader.error(f'{key}="{text[:40]}"; a whole number from 0 is needed')
+            raise self.reader.error(f'{key}="{shown(text)}"; a whole number from 0 is needed')
         return int(text)
 
     def _matrix(self, text: str | None) -> Array:
@@ -196,14 +196,14 @@ class _Reading:
         except ValueError:
             values = []
         if len(values) != 12 or not np.isfinite(values).all() or "_" in text:
-            raise self.reader.error(f'transform="{text[:80]}"; 12 numbers are needed')
+            raise self.reader.error(f'transform="{shown(text, 80)}"; 12 numbers are needed')
         matrix[:3] = np.array(values).reshape(4, 3).T
         return matrix
 
 
 def _bare(tag: str) -> str:
-    return tag.rpartition("|")[2][:40]
+    return shown(tag.rpartition("|")[2])
 
 
 def _shown(attributes: Attributes) -> str:
-    return ", ".join(f'{key[:20]}="{value[:40]}"' for key, value in list(attributes.items())[:5]) or "none"
+    return ", ".join(f'{shown(key, 20)}="{shown(value)}"' for key, value in list(attributes.items())[:5]) or "none"

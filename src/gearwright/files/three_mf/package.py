@@ -13,6 +13,7 @@ from urllib.parse import unquote
 
 from ...errors import FileError
 from ..contents import Data
+from ..text.places import shown
 
 MOST_BYTES = 1 << 30
 """Bytes of all parts read, unpacked: some 10 million triangles."""
@@ -47,15 +48,15 @@ class Package:
             members = self._zip.infolist()
         except _FAULTS as error:
             raise FileError(
-                f"{name}: not a 3MF file, which is a zip package: {error}; it is cut off or of another kind;"
-                " write or copy it again"
+                f"{name}: not a 3MF file, which is a zip package: {shown(str(error), 160)}; it is cut off or of"
+                " another kind; write or copy it again"
             ) from None
         self._members: dict[str, zipfile.ZipInfo] = {}
         for member in members:
             key = member.filename.lower()
             if key in self._members:
                 raise FileError(
-                    f'{name}: its package has two parts named "{member.filename}"; one of them would be'
+                    f'{name}: its package has two parts named "{shown(member.filename)}"; one of them would be'
                     " lost; write the file again"
                 )
             self._members[key] = member
@@ -70,7 +71,7 @@ class Package:
         """
         member = self._members.get(part.lower())
         if member is None:
-            raise FileError(f'{self.name}: its package has no part "{part}"; it is not whole; write it again')
+            raise FileError(f'{self.name}: its package has no part "{shown(part)}"; it is not whole; write it again')
         self._require_readable(member)
         try:
             with self._zip.open(member) as stream:
@@ -79,7 +80,8 @@ class Package:
                     yield chunk
         except _FAULTS as error:
             raise FileError(
-                f'{self.name}: the part "{part}" is damaged: {error}; write or copy the file again'
+                f'{self.name}: the part "{shown(part)}" is damaged: {shown(str(error), 160)}; write or copy the file'
+                " again"
             ) from None
 
     def _require_readable(self, member: zipfile.ZipInfo) -> None:
@@ -93,19 +95,19 @@ class Package:
             else None
         )
         if wrong:
-            raise FileError(f'{self.name}: the part "{member.filename}" {wrong}')
+            raise FileError(f'{self.name}: the part "{shown(member.filename)}" {wrong}')
 
     def _count(self, size: int, part: str) -> None:
         self._unpacked += size
         if self._unpacked > MOST_BYTES:
             raise FileError(
-                f'{self.name}: the part "{part}" unpacks to more than {MOST_BYTES >> 20} MiB, with those before it:'
-                " the most that is read; split the file or write coarser meshes"
+                f'{self.name}: the part "{shown(part)}" unpacks to more than {MOST_BYTES >> 20} MiB, with those before'
+                " it: the most that is read; split the file or write coarser meshes"
             )
         if self._unpacked > max(_ALWAYS, MOST_RATIO * self._size):
             raise FileError(
-                f'{self.name}: the part "{part}" unpacks to more than {MOST_RATIO} times the size of the file; meshes'
-                " do not, but files made to fill a memory do; unpack and pack it again if you trust it"
+                f'{self.name}: the part "{shown(part)}" unpacks to more than {MOST_RATIO} times the size of the file;'
+                " meshes do not, but files made to fill a memory do; unpack and pack it again if you trust it"
             )
 
 
@@ -113,5 +115,5 @@ def part_name(target: str, file: str) -> str:
     """The name of a part as `Package` takes it, from a path in the package. Raises FileError if it leads out of it."""
     path = unquote(target).lstrip("/")
     if not path or "\\" in path or "\0" in path or ":" in path or posixpath.normpath(path).startswith(".."):
-        raise FileError(f'{file}: "{target[:80]}" is no path inside the package; write the file again')
+        raise FileError(f'{file}: "{shown(target, 80)}" is no path inside the package; write the file again')
     return posixpath.normpath(path)

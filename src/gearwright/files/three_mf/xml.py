@@ -7,6 +7,7 @@ from typing import NoReturn, final
 from xml.parsers import expat
 
 from ...errors import FileError
+from ..text.places import shown
 
 Attributes = Mapping[str, str]
 
@@ -38,7 +39,7 @@ class Reader:
         except expat.ExpatError as error:
             raise FileError(f"{self._source}: not XML: {error}; the file is damaged; write or copy it again") from None
         except (LookupError, ValueError) as error:  # of an encoding that Python does not have or cannot map
-            raise self.error(f"its characters cannot be read: {error}; write it in UTF-8") from None
+            raise self.error(f"its characters cannot be read: {shown(str(error), 120)}; write it in UTF-8") from None
 
     def error(self, text: str) -> FileError:
         """A refusal that says in which line."""

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import disk
-from ..errors import FileError
-from .stl import HEADER, RECORD, START, UNIT
+from ... import disk
+from ...errors import FileError
+from .layout import HEADER, RECORD, START, UNIT
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..errors import FileError
+from ...errors import FileError
 
 MARK = b"\xef\xbb\xbf"
 """The byte order mark that some programs put before UTF-8."""
@@ -24,13 +24,17 @@ def line_at(text: bytes, place: int) -> int:
     return text.count(b"\n", 0, place) + 1
 
 
+def shown(text: str, most: int = _SHOWN) -> str:
+    """Words of a file for a message: so many characters, on one line."""
+    return "".join(c if c.isprintable() else "?" for c in text[:most])
+
+
 def misfit(path: str, kind: str, text: bytes, place: int, wanted: str, *, found: str = "") -> FileError:
     """Says what stands at a place, unless `found` does, and what is expected there."""
     if not found:
         word = _WORD.match(text, place, place + _SHOWN)
         if word:
-            shown = "".join(c if c.isprintable() else "?" for c in word[0].decode("ascii", "replace"))
-            found = f'"{shown}"'
+            found = f'"{shown(word[0].decode("ascii", "replace"))}"'
         else:
             found = "its end" if place < len(text) else "the end of the file"
     return FileError(

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Array, Indices
-from ..compiled import compiled
+from ...arrays import Array, Indices
+from ...compiled import compiled
 
 Characters = NDArray[np.uint8]
 """The bytes of a text."""

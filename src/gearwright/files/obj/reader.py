@@ -6,15 +6,15 @@ import re
 
 import numpy as np
 
-from ..arrays import Indices
-from ..errors import FileError
-from ..moments.faces import Corners
-from .contents import Body, Contents, Data
-from .decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
-from .obj_statements import FEW_CORNERS, LEFT_OUT, NO_STATEMENT, NO_VERTEX, count, fill
-from .parts import apart
-from .rounding import Written
-from .text_places import MARK, misfit, with_line_feeds
+from ...arrays import Indices
+from ...errors import FileError
+from ...moments.faces import Corners
+from ..contents import Body, Contents, Data
+from ..parts import apart
+from ..rounding import Written
+from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
+from ..text.places import MARK, misfit, with_line_feeds
+from .statements import FEW_CORNERS, LEFT_OUT, NO_STATEMENT, NO_VERTEX, count, fill
 
 _CONTINUED = re.compile(rb"\\[ \t]*\r?\n")
 _COMMENT_OR_CONTINUED = re.compile(rb"#[^\n]*|\\[ \t]*\r?\n")

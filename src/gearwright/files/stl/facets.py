@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Array, Indices
-from ..compiled import compiled
-from .decimals import FINE, NO_NUMBER, Characters, copied, is_blank, take, word_end
+from ...arrays import Array, Indices
+from ...compiled import compiled
+from ..text.decimals import FINE, NO_NUMBER, Characters, copied, is_blank, take, word_end
 
 FACET = ("facet", "normal", *"###", "outer", "loop", *3 * ("vertex", *"000"), "endloop", "endfacet")
 """The words of a facet; 0 stands for a coordinate, # for one of the normal, which nobody reads."""

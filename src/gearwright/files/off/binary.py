@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..errors import FileError
-from ..moments.faces import Corners
-from .contents import Body
-from .parts import used_alone
-from .record_values import list_corners
-from .records import Field, record_places
-from .rounding import single_precision
-from .text_places import AGAIN
+from ...errors import FileError
+from ...moments.faces import Corners
+from ..binary.records import Field, record_places
+from ..binary.values import list_corners
+from ..contents import Body
+from ..parts import used_alone
+from ..rounding import single_precision
+from ..text.places import AGAIN
 
 _NUMBER = np.dtype(">i4")
 _FACE = (Field(size=4, list_of=4, signed=True), Field(size=4, list_of=4, signed=True))

@@ -17,12 +17,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array
-from ..errors import FileError
-from .decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
-from .rounding import Written
-from .stl_facets import FACET, NO_WORD, UNFINISHED, read_facets
-from .text_places import AGAIN, MARK, line_at, misfit, with_line_feeds
+from ...arrays import Array
+from ...errors import FileError
+from ..rounding import Written
+from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
+from ..text.places import AGAIN, MARK, line_at, misfit, with_line_feeds
+from .facets import FACET, NO_WORD, UNFINISHED, read_facets
 
 _NAMES = re.compile(rb"[ \t\r\f\v]*(?P<end>end)?solid\b(?P<name>[^\n]*)", re.IGNORECASE)
 """Lines that hold names, which may be any words."""

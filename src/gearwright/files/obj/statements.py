@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Array, Indices
-from ..compiled import compiled
-from .decimals import FINE, Characters, ends_line, is_blank, line_end, skip_blanks, take, whole_number, word_end
+from ...arrays import Array, Indices
+from ...compiled import compiled
+from ..text.decimals import FINE, Characters, ends_line, is_blank, line_end, skip_blanks, take, whole_number, word_end
 
 NO_VERTEX, FEW_CORNERS, NO_STATEMENT = 3, 4, 5
 """What can be wrong, besides what `decimals` finds."""

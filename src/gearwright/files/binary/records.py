@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Indices
-from ..compiled import compiled
-from ..errors import FileError
-from .decimals import Characters
-from .text_places import AGAIN
+from ...arrays import Indices
+from ...compiled import compiled
+from ...errors import FileError
+from ..text.decimals import Characters
+from ..text.places import AGAIN
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,11 +61,11 @@ def record_places(
 
 @compiled
 def whole(data: Characters, place: int, size: int, signed: bool, little: bool) -> int:
-    """The integer of so many bytes at a place."""
+    """The integer of so many bytes, at most 4, at a place."""
     value = 0
     for k in range(size):
         value = value << 8 | data[place + (size - 1 - k if little else k)]
-    if signed and size < 8 and value >= 1 << (8 * size - 1):
+    if signed and value >= 1 << (8 * size - 1):
         value -= 1 << (8 * size)
     return value
 

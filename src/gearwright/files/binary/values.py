@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import Array, Indices
-from ..compiled import compiled
-from ..errors import FileError
-from ..moments.faces import Corners
-from .decimals import Characters
+from ...arrays import Array, Indices
+from ...compiled import compiled
+from ...errors import FileError
+from ...moments.faces import Corners
+from ..text.decimals import Characters
+from ..text.places import AGAIN
 from .records import Field, whole
-from .text_places import AGAIN
 
 
 def list_corners(

@@ -12,15 +12,15 @@ import re
 
 import numpy as np
 
-from ..errors import FileError
-from ..moments.faces import Corners
-from .contents import Body, Contents, Data
-from .decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
-from .off_binary import parse_binary
-from .parts import used_alone
-from .rounding import Written
-from .rows import CORNERS, FEW_CORNERS, NO_COUNT, NO_VERTEX, X, next_place, read_rows
-from .text_places import AGAIN, MARK, misfit, with_line_feeds
+from ...errors import FileError
+from ...moments.faces import Corners
+from ..contents import Body, Contents, Data
+from ..parts import used_alone
+from ..rounding import Written
+from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
+from ..text.places import AGAIN, MARK, misfit, with_line_feeds
+from ..text.rows import CORNERS, FEW_CORNERS, NO_COUNT, NO_VERTEX, X, next_place, read_rows
+from .binary import parse_binary
 
 _HEADER = re.compile(rb"(?P<parts>(?:ST)?C?N?)(?P<four>4?)(?P<any>n?)OFF(?![^\s#])[ \t]*(?P<binary>BINARY\b)?")
 _WORD = re.compile(rb"[^\s#]+")

@@ -1,40 +1,26 @@
-"""STL files: binary and text in, binary out.
-
-An STL file is a list of triangles with no shared vertices, no length unit and, in its binary form,
-single precision: about seven digits of the distance from the origin.
+"""STL files in, binary and text: lists of triangles with no shared vertices, no length unit and, in the binary form,
+single precision.
 """
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .. import disk
-from ..arrays import Array, Indices
-from ..errors import FileError
-from ..moments.faces import triangle_vectors
-from ..moments.soup import NOUGHT
-from .contents import Body, Contents, Data
-from .rounding import single_precision
-from .stl_text import looks_like_text, parse_text
-from .welding import Points, welded
+from ...arrays import Array, Indices
+from ...errors import FileError
+from ...moments.soup import NOUGHT
+from ..contents import Body, Contents, Data
+from ..rounding import single_precision
+from ..welding import Points, welded
+from .layout import HEADER, RECORD, START, UNIT
+from .text import looks_like_text, parse_text
 
-HEADER = 80
-START = HEADER + 4
-RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-_MOST = 2**32 - 1
-_BLOCK = 1 << 18
 _ABSURD = 1000  # times more than the file has: what stands for a count is none
 _SURPLUS = 0.5
 """Bytes after the triangles, relative to theirs, that programs may have added; with more the count is wrong."""
 _EMPTY = "{}: an STL file without triangles; nothing was exported, or only empty bodies"
-UNIT = re.compile(rb"lengths in (mm|in)\b")
-
-_COARSEST = 1e-4
-"""Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
 
 
 def parse(data: Data, name: str) -> Contents:
@@ -121,50 +107,3 @@ def _refuse_length(path: str, size: int, count: int) -> None:
         f"{path}: not a whole STL file: its header announces {count} triangles, which take {needed} bytes, but it has"
         f" {size}, room for {whole} triangles{f' and {rest} bytes' if rest else ''}; {cause}; write or copy it again"
     )
-
-
-def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit: str = "mm") -> None:
-    """Writes triangles (m, 3) over vertices (n, 3) as a binary STL file, whole or not at all.
-
-    Corners are rounded to single precision, equal vertices equally, so a closed boundary stays closed.
-    Normals are those of the rounded corners, 0 where these have no area.
-    Raises FileError if single precision cannot hold the body or the name is not a file's;
-    MachineError if the disk does not take it.
-    """
-    single = _single_precision(str(path), vertices, triangles)
-    with disk.written_whole(path) as stream:
-        stream.write(
-            f"Gearwright binary STL, lengths in {length_unit}".encode("ascii", "replace")[:HEADER].ljust(HEADER)
-        )
-        stream.write(len(triangles).to_bytes(4, "little"))
-        for start in range(0, len(triangles), _BLOCK):
-            stream.write(_records(single, triangles[start : start + _BLOCK]).data)
-
-
-def _single_precision(path: str, vertices: Array, triangles: Indices) -> Array:
-    """The vertices rounded to single precision, still as float64."""
-    if len(triangles) > _MOST:
-        raise FileError(
-            f"{path}: {len(triangles)} triangles; an STL file holds at most {_MOST}; use a coarser tolerance"
-        )
-    if not len(vertices):
-        return vertices
-    with np.errstate(over="ignore"):
-        single = vertices.astype(np.float32).astype(np.float64)
-    error = float(np.abs(single - vertices).max())
-    diagonal = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
-    if not error <= _COARSEST * diagonal:
-        raise FileError(
-            f"{path}: single precision, all that STL has, would move points by {error:.3g}, and the body measures"
-            f" {diagonal:.3g}; move it to the origin, or use a length unit that suits it"
-        )
-    return single
-
-
-def _records(vertices: Array, triangles: Indices) -> NDArray[np.void]:
-    records = np.zeros(len(triangles), dtype=RECORD)
-    normals = triangle_vectors(vertices, triangles)
-    lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
-    records["normal"] = normals / np.where(lengths > 0.0, lengths, 1.0)
-    records["corners"] = vertices[triangles]
-    return records

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array, Indices
-from ..compiled import compiled
+from ...arrays import Array, Indices
+from ...compiled import compiled
 from .decimals import (
     FINE,
     NO_NUMBER,

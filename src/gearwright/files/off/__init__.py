@@ -1,0 +1,1 @@
+"""OFF files: text and binary in."""

@@ -1,0 +1,1 @@
+"""STL files: binary and text in, binary out."""

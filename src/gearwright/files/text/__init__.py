@@ -1,0 +1,1 @@
+"""What readers of text share: numbers and rows in compiled loops, and refusals that name the line."""
