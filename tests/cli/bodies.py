@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gearwright.files import formats
+from gearwright.files import reading
 from gearwright.files.contents import Body, Contents
 from gearwright.moments.faces import corner_lists
 
@@ -18,7 +18,7 @@ def box(name, size, at=(0, 0, 0), faces=FACES):
 
 def put(monkeypatch, **files):
     """Lets names without a suffix be read as these bodies; (unit, bodies) for files that state a unit."""
-    own = formats.read
+    own = reading.read
 
     def read(path):
         if str(path) not in files:
@@ -27,4 +27,4 @@ def put(monkeypatch, **files):
         unit, bodies = found if isinstance(found, tuple) else (None, found)
         return Contents(bodies=tuple(bodies), length_unit=unit)
 
-    monkeypatch.setattr(formats, "read", read)
+    monkeypatch.setattr(reading, "read", read)

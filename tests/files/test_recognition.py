@@ -9,7 +9,7 @@ import time
 import pytest
 
 from gearwright.errors import FileError, MachineError
-from gearwright.files import formats
+from gearwright.files import formats, reading
 from gearwright.files.recognition import recognise
 
 OBJ = b"# by hand\r\nmtllib x\r\n\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"
@@ -80,12 +80,12 @@ class Dripping(io.RawIOBase):
 
 
 def test_a_stream_is_read_to_its_end():
-    (body,) = formats.read_stream(Dripping(OBJ)).bodies
+    (body,) = reading.read_stream(Dripping(OBJ)).bodies
     assert body.indices.tolist() == [0, 1, 2]
     with pytest.raises(FileError, match='standard input: not a whole OBJ file: line 8 has "junk"'):
-        formats.read_stream(Dripping(OBJ + b"junk"))
+        reading.read_stream(Dripping(OBJ + b"junk"))
     with pytest.raises(FileError, match="pipe: there is nothing to read"):
-        formats.read_stream(io.BytesIO(), "pipe")
+        reading.read_stream(io.BytesIO(), "pipe")
 
 
 def test_a_stream_without_end_is_refused(monkeypatch):
@@ -93,9 +93,9 @@ def test_a_stream_without_end_is_refused(monkeypatch):
         def read(self, _=-1):
             return b"v 0 0 0\n"
 
-    monkeypatch.setattr(formats, "MOST_BYTES", 1000)
+    monkeypatch.setattr(reading, "MOST_BYTES", 1000)
     with pytest.raises(FileError, match=r"standard input: more than 1000 bytes, .* save them as a file"):
-        formats.read_stream(Endless())
+        reading.read_stream(Endless())
 
 
 def test_a_stream_that_breaks_is_the_machines_fault():
@@ -104,13 +104,13 @@ def test_a_stream_that_breaks_is_the_machines_fault():
             raise OSError(5, "Input/output error")
 
     with pytest.raises(MachineError, match=r"standard input: cannot be read \(Input/output error\)"):
-        formats.read_stream(Broken())
+        reading.read_stream(Broken())
 
 
 def test_files_are_read_by_their_suffix(tmp_path):
     path = tmp_path / "part.OBJ"
     path.write_bytes(OBJ)
-    assert len(formats.read(path).bodies) == 1
+    assert len(reading.read(path).bodies) == 1
     for name in ("part", "part.xyz"):
         with pytest.raises(FileError, match=r"cannot be read; known suffixes: \.stl, "):
-            formats.read(tmp_path / name)
+            reading.read(tmp_path / name)

@@ -9,7 +9,7 @@ from functools import partial, reduce
 from pathlib import Path
 
 from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
-from ..files import formats
+from ..files import reading
 from ..parameters import LENGTH_UNITS, did_you_mean
 from ..solids.extent import Extent
 from ..solids.model import Model
@@ -164,7 +164,7 @@ def densities_by_body(bodies: Collection[str], given: Mapping[str, float]) -> di
 
 
 def _model(file: Path) -> Model:
-    return Model.of(formats.read_stream(sys.stdin.buffer)) if file == STANDARD_INPUT else Model.load(file)
+    return Model.of(reading.read_stream(sys.stdin.buffer)) if file == STANDARD_INPUT else Model.load(file)
 
 
 def _unit(file: Path, stated: str | None, asked: str | None) -> str:

@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
 
-from .. import disk
-from ..errors import FileError, MachineError
-from ..sources import Source, load
-
-if TYPE_CHECKING:  # so that listing the formats loads no numpy
-    from .contents import Contents
+from ..errors import FileError
+from ..sources import Source
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,11 +24,6 @@ class FileFormat:
     parser: Source | None = None
     writer: Source | None = None
 
-
-MOST_BYTES = 4 * 2**30
-"""The most that is read from a stream, whose length nobody knows before its end."""
-
-_BLOCK = 1 << 22
 
 FILE_FORMATS = (
     FileFormat(
@@ -80,44 +70,6 @@ FILE_FORMATS = (
         parser="gearwright.files.ply.reader:parse",
     ),
 )
-
-
-def read(path: str | Path) -> Contents:
-    """What a file holds, in the format of its suffix.
-
-    Raises FileError where the suffix is of no known format or the file is not whole; MachineError if the disk does
-    not give it.
-    """
-    parse = load(format_of(path, "read").parser or "")
-    return parse(disk.contents(path), str(path))
-
-
-def read_stream(stream: BinaryIO, name: str = "standard input") -> Contents:
-    """What a stream of bytes holds, read to its end, in the format that its contents show.
-
-    Raises FileError where they show none, are not whole or are more than MOST_BYTES; MachineError if the stream
-    cannot be read.
-    """
-    from .recognition import recognise
-
-    data = _all_bytes(stream, name)
-    return load(recognise(data, name).parser or "")(data, name)
-
-
-def _all_bytes(stream: BinaryIO, name: str) -> bytes:
-    blocks, size = [], 0
-    try:
-        while block := stream.read(_BLOCK):
-            blocks.append(block)
-            size += len(block)
-            if size > MOST_BYTES:
-                raise FileError(
-                    f"{name}: more than {MOST_BYTES} bytes, the most that is read from a stream; save them as a"
-                    " file and name that"
-                )
-    except OSError as error:
-        raise MachineError(f"{name}: cannot be read ({error.strerror or error})") from error
-    return b"".join(blocks)
 
 
 def format_of(path: str | Path, done: str) -> FileFormat:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
-from ..files import formats
+from ..files import reading
 from ..files.contents import Body, Contents, SmoothProperties
 from ..files.welding import welded
 from ..moments.faces import Corners
@@ -32,7 +32,7 @@ class Model:
     @classmethod
     def load(cls, path: str | Path) -> Model:
         """From a file in the format of its suffix. Raises FileError, MachineError."""
-        return cls.of(formats.read(path))
+        return cls.of(reading.read(path))
 
     @classmethod
     def of(cls, contents: Contents) -> Model:

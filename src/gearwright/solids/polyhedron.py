@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
 from ..errors import GeometryError, Problem
-from ..files import formats
+from ..files import formats, reading
 from ..files.stl import writer as stl
 from ..moments.faces import Corners, Faces, corner_lists, face_vectors, fan_triangles, triangle_vectors
 from ..moments.indexed import bounding_box
@@ -69,7 +69,7 @@ class Polyhedron:
 
         Raises FileError, MachineError.
         """
-        bodies = formats.read(path).bodies
+        bodies = reading.read(path).bodies
         return cls.united(cls(b.vertices, Corners(b.indices, b.offsets), rounding=b.rounding) for b in bodies)
 
     @classmethod
