@@ -8,7 +8,8 @@ import sys
 import pytest
 
 from gearwright.cli import main
-from gearwright.files import instances, reading
+from gearwright.files import instances
+from gearwright.files import reading as streams
 from gearwright.files.formats import FILE_FORMATS
 from gearwright.files.ply import header
 from gearwright.files.step import faces, reading, worker
@@ -48,7 +49,7 @@ def test_every_format_has_a_row_with_its_suffixes_and_a_section():
         f"at most {decimals.LONGEST_WORD} characters",
         f"{instances.MOST_DEPTH} nodes one inside another, {instances.MOST_NODES:,} placed ones",
         f"{instances.MOST_FACES // 10**6} million triangles",
-        f"up to {reading.MOST_BYTES >> 30} GiB",
+        f"up to {streams.MOST_BYTES >> 30} GiB",
         f"{package.MOST_BYTES >> 30} GiB unpacked, and {package.MOST_RATIO} times the size of the file",
         f"within {faces.DEFLECTION:.0e}".replace("e-04", "e-4"),
         f"{worker.MOST_MEMORY >> 30} GiB where the system",
