@@ -76,8 +76,7 @@ def test_bodies_that_close_only_together_are_one(run, monkeypatch):
 def test_bodies_that_close_not_even_together_are_refused(run, monkeypatch):
     put(monkeypatch, box=[box("a", [1, 2, 3], faces=FACES[:2]), box("b", [1, 2, 3], faces=FACES[3:])])
     said = refusal(run, "box")
-    assert "a: this polyhedron does not bound a solid" in said
-    assert "8 open edges" in said
+    assert "2 bodies, of which some bound no solid:\n  a: 8 open edges" in said
 
 
 def test_a_void_that_is_a_body_of_its_own_belongs_to_the_other(run, monkeypatch):
@@ -275,3 +274,23 @@ def test_smooth_shapes_of_a_step_file_are_measured(run, tmp_path):
     assert found["volume"] == pytest.approx(np.pi * 9 * 8, rel=1e-12)
     assert found["central_inertia"][2][2] == pytest.approx(found["mass"] * 9 / 2, rel=1e-10)
     assert found["area"] == pytest.approx(2 * np.pi * 3 * 11, rel=1e-3)
+
+
+def test_bodies_whose_boxes_overlap_are_remarked(run, monkeypatch):
+    put(monkeypatch, over=[box("a", [2, 2, 2]), box("b", [2, 2, 2], [1, 1, 1])])
+    put(monkeypatch, beside=[box("a", [2, 2, 2]), box("b", [2, 2, 2], [2, 0, 0])])
+    assert "the boxes of 1 pair of bodies overlap" in run("properties", "over").err
+    assert run("properties", "beside").err == ""
+
+
+def test_a_part_beyond_the_whole_is_not_subtracted(run, monkeypatch):
+    put(monkeypatch, whole=[box("a", [4, 4, 4])], part=[box("b", [1, 1, 1], [3.5, 0, 0])])
+    assert "reaches beyond the body" in refusal(run, "whole", "--subtract", "part")
+
+
+def test_an_inverted_body_can_be_measured(run, monkeypatch):
+    put(monkeypatch, inverted=[box("a", [1, 2, 3], faces=[face[::-1] for face in FACES])])
+    assert "--allow inward" in refusal(run, "inverted")
+    found = document(run, "inverted", "--allow", "inward")
+    assert found["volume"] == pytest.approx(6)
+    assert found["error_bound"] is None

@@ -250,3 +250,64 @@ class TestSoup:
         found = soup_moments(soup, soup.look(soup.middle))
         assert found.body.volume == pytest.approx(expected.body.volume * factor**3, rel=1e-14)
         np.testing.assert_allclose(found.body.central_second, expected.body.central_second * factor**5, rtol=1e-12)
+
+
+CUBE = triangulated(cube())
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.int64])
+def test_no_vertices_are_no_memory_to_read(kind):
+    with pytest.raises(GeometryError, match="face 0: there are no vertices"):
+        mass_properties(np.empty((0, 3)), np.full((4, 3), 10**9, kind))
+    with pytest.raises(GeometryError, match="positive volume"):
+        mass_properties(np.empty((0, 3)), np.empty((0, 3), kind))
+
+
+@pytest.mark.parametrize("size", [1e-103, 1e-85, 1e-70, 1e77, 1e100, 1e150])
+def test_sizes_whose_fifth_powers_are_no_numbers_are_refused(size):
+    with pytest.raises(GeometryError, match="fifth powers are no numbers; take another length unit"):
+        mass_properties(CUBE[0] * size, CUBE[1])
+
+
+@pytest.mark.parametrize("size", [1e-58, 1e-50, 1e50, 1e59])
+def test_sizes_whose_fifth_powers_are_numbers_are_right(size):
+    mass, centroid, inertia = mass_properties(CUBE[0] * size, CUBE[1])
+    assert mass == pytest.approx(size**3, rel=1e-14)
+    np.testing.assert_allclose(centroid, size / 2, rtol=1e-15)
+    np.testing.assert_allclose(np.diag(inertia), size**5 / 6, rtol=1e-13)
+
+
+@pytest.mark.parametrize("density", [None, "1", 1j, [1.0, 2.0], 10**400, 0, -1, np.nan, np.inf])
+def test_densities_that_are_none_are_refused(density):
+    with pytest.raises(GeometryError, match=r"density = .*a positive number is needed"):
+        mass_properties(*CUBE, density)
+
+
+@pytest.mark.parametrize("threads", [0, -1, "2", 1.5, 10**6])
+def test_numbers_of_threads_that_are_none_are_refused(threads):
+    with pytest.raises(GeometryError, match="1 to 1024, or None, is needed"):
+        mass_properties(*CUBE, threads=threads)
+
+
+@pytest.mark.parametrize("kind", [">i4", ">i8", "i1", "i2", "u1", "u4", "u8"])
+def test_numbers_of_any_kind_are_taken(kind):
+    assert mass_properties(CUBE[0], CUBE[1].astype(kind))[0] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("kind", ["f2", "f4", ">f8", "longdouble", "i4"])
+def test_vertices_of_any_kind_are_taken(kind):
+    assert mass_properties(np.asfortranarray(CUBE[0].astype(kind)), CUBE[1])[0] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("vertices", [[[0, 0, 0], [1, 1]], "cube", CUBE[0] * 1j, CUBE[0][:, :2], [["a", "b", "c"]]])
+def test_vertices_that_are_none_are_refused(vertices):
+    with pytest.raises(GeometryError, match=r"an array .n, 3. of numbers is needed"):
+        mass_properties(vertices, CUBE[1])
+
+
+def test_an_unused_vertex_that_is_no_point_does_not_matter():
+    vertices = np.concatenate([CUBE[0], [[np.nan] * 3]])
+    assert mass_properties(vertices, CUBE[1])[0] == pytest.approx(1.0)
+    vertices[6] = np.nan
+    with pytest.raises(GeometryError, match="vertex 6 = "):
+        mass_properties(vertices, CUBE[1])

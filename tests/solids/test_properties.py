@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import gearwright as gw
 from gearwright.errors import GeometryError, ParameterError
 from gearwright.moments.body import BodyMoments
 from gearwright.moments.matrix import moment_matrix, shifted
@@ -244,3 +245,40 @@ def test_the_quaternion_turns_the_frame_into_the_principal_axes(axis, angle):
         v = np.array([x, y, z])
         turned = unit + 2 * w * np.cross(v, unit) + 2 * np.cross(v, np.cross(v, unit))
         np.testing.assert_allclose(turned, column, atol=1e-14)
+
+
+def test_the_bound_of_a_long_sum_grows_with_its_length_alone():
+    total = sum(cuboid(1, 2, 3, (30.0 * k, 0, 0)) for k in range(60))
+    assert 0 < total.error_bound <= 60 * 1.2e-15
+    assert total.volume == pytest.approx(360, rel=1e-14)
+
+
+def test_far_away_the_bound_of_a_sum_knows_the_digits_of_its_centroids():
+    near, far = cuboid(1, 1, 1, (0.1, 0, 0)) + cuboid(1, 1, 1, (1.2, 0, 0)), 1e8 / 7
+    body = cuboid(1, 1, 1, (0.1 + far, 0, 0)) + cuboid(1, 1, 1, (1.2 + far, 0, 0))
+    error = np.abs(body.central_second - near.central_second).max() / np.linalg.norm(near.central_second)
+    assert 0 < error <= body.error_bound < 1e-6
+
+
+def test_a_part_that_reaches_beyond_the_whole_is_not_taken_away():
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    whole = gw.Polyhedron(corners * 10, faces).properties()
+    assert (whole - gw.Polyhedron(corners * [10, 1, 1], faces).properties()).volume == pytest.approx(990)
+    for beyond in ([200, 0, 0], [9.5, 0, 0], [0, 0, -0.01]):
+        part = gw.Polyhedron(corners + beyond, faces).properties()
+        with pytest.raises(GeometryError, match=r"its box, .* reaches beyond the body"):
+            whole - part
+
+
+def test_a_matrix_that_nearly_turns_is_counted_in_the_bound():
+    body = cuboid(1, 2, 3, (1, 2, 3))
+    moved = body.moved(np.eye(3) * (1 + 4e-10))
+    assert abs(np.trace(moved.central_second) / np.trace(body.central_second) - 1) <= moved.error_bound < 1e-8
+
+
+def test_the_least_moment_of_a_needle_keeps_its_digits():
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float) * [1, 1e-8, 1e-8]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    needle = gw.Polyhedron(corners, faces).properties()
+    assert needle.central_inertia[0, 0] == pytest.approx(1e-16 * 2e-16 / 12, rel=1e-7)

@@ -168,3 +168,13 @@ def test_a_surface_without_area_is_refused():
 def test_a_bent_face_is_refused():
     with pytest.raises(gw.GeometryError, match=r"face, 0 near .*, not planar"):
         gw.Polyhedron([[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]], [[0, 1, 2, 3]]).shell_properties(1)
+
+
+def test_shells_far_apart_keep_their_digits():
+    hull = np.array([[0.1, 0.2, 0.3], [1.1, 0.23, 0.31], [0.17, 1.3, 0.37], [0.13, 0.29, 1.7]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    far = hull * 0.9 + [1e6, 5e5, 3e5]
+    both = gw.Polyhedron(np.concatenate([hull, far]), np.concatenate([faces, faces + 4])).shell_properties(1.0)
+    apart = [gw.Polyhedron(v, faces).shell_properties(1.0).area for v in (hull, far)]
+    assert both.area == pytest.approx(sum(apart), rel=both.error_bound)
+    assert both.error_bound < 1e-14

@@ -345,8 +345,10 @@ def test_the_centre_of_the_box_stays_the_centre_where_the_terms_cancel(kind, tim
 def test_what_is_left_without_a_volume_is_refused_though_allowed():
     with pytest.raises(GeometryError, match="must be positive"):
         Polyhedron(CUBE, [[0, 1, 2]]).properties(allow=("open",))
-    with pytest.raises(GeometryError, match="volume -1"):
-        Polyhedron(CUBE, [face[::-1] for face in FACES]).properties(allow=("inward",))
+    round_about = Polyhedron(CUBE, [face[::-1] for face in FACES]).properties(2.0, allow=("inward",))
+    np.testing.assert_allclose(round_about.central_inertia, np.eye(3) / 3, atol=1e-15)
+    assert round_about.mass == pytest.approx(2.0)
+    assert round_about.error_bound == np.inf
     opposed = joined(cube(), moved(reversed_faces(cube()), 5.0))
     with pytest.raises(GeometryError, match="must be positive"):
         Polyhedron(*opposed).properties(allow=("inward",))

@@ -40,7 +40,9 @@ def build() -> cyclopts.App:
     )
     app.command(f"{__package__}.materials:materials", name="materials", help="List materials and their densities.")
     app.command(
-        f"{__package__}.check:check", name="check", help="Check STL files: closed, outward, not through itself."
+        f"{__package__}.check:check",
+        name="check",
+        help="Check files of bodies: closed, outward, not crossing.",
     )
     app.command(
         f"{__package__}.demo:demo", name="demo", help="Build a bevel pair; compare exact with polyhedral values."

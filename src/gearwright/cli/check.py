@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 
 from cyclopts import Parameter as Option
 
-from ..errors import GearwrightError, GeometryError, Problem
+from ..errors import GeometryError, Problem
 from ..solids.polyhedron import Polyhedron
 from ..solids.self_intersections import SelfIntersections
 from ..solids.validity.report import PolyhedronValidity
@@ -18,7 +18,10 @@ from .outputs import progress
 
 
 def check(
-    *files: Annotated[Path, Option(metavar="FILE", required=True, help="STL files, binary or text.")],
+    *files: Annotated[
+        Path,
+        Option(metavar="FILE", required=True, json_list=False, help="Files of bodies, of any format that is read."),
+    ],
     json: Annotated[
         bool, Option(help="Print one line of JSON for each file.", negative=(), show_default=False)
     ] = False,
@@ -33,8 +36,8 @@ def check(
             with progress(f"checking {file}"):
                 polyhedron = Polyhedron.load(file)
                 findings = Findings.of(polyhedron)
-        except (GearwrightError, OSError) as error:
-            worst = max(worst, report(error, "gearwright check", subject=str(file)))
+        except Exception as error:  # noqa: BLE001  whatever one file brings about, the others are still done
+            worst = max(worst, report(error, f"gearwright check {file}", subject=str(file)))
             continue
         worst = max(worst, DONE if findings.passed else CHECK_FAILED)
         write = _json if json else _text

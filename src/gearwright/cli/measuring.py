@@ -11,6 +11,7 @@ from pathlib import Path
 from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
 from ..files import reading
 from ..parameters import LENGTH_UNITS, did_you_mean
+from ..solids.close_bodies import close_bodies
 from ..solids.extent import Extent
 from ..solids.model import Model
 from ..solids.polyhedron import Polyhedron
@@ -185,8 +186,17 @@ def _apart_and_together(
     model: Model, densities: Mapping[str, float | None], unit: str, question: Question
 ) -> tuple[dict[str, MassProperties], MassProperties, list[str]]:
     """Every body, all as one, and remarks."""
-    bodies = {name: _body(model, name, densities[name], unit, question) for name in model.bodies}
-    remarks = [] if question.of_shells else [str(one) for one in model.polyhedron.validity().remarks]
+    bodies, problems = {}, []
+    for name in model.bodies:
+        try:
+            bodies[name] = _body(model, name, densities[name], unit, question)
+        except GeometryError as error:
+            if len(model.bodies) == 1:
+                raise
+            problems += [Problem(f"{name}: {one.subject}", one.message) for one in error.problems]
+    if problems:
+        raise GeometryError(f"{len(model.bodies)} bodies, of which some bound no solid", problems)
+    remarks = [] if question.of_shells else _remarks(model.polyhedron)
     if len(bodies) == 1:
         together = next(iter(bodies.values()))
         return bodies, together, remarks + list(together.warnings)
@@ -202,14 +212,17 @@ def _apart_and_together(
     return bodies, together, remarks + list(together.warnings)
 
 
+def _remarks(whole: Polyhedron) -> list[str]:
+    validity = whole.validity()
+    close = len(close_bodies(validity)) if validity.valid else 0
+    pairs = "1 pair" if close == 1 else f"{close} pairs"
+    may = f"the boxes of {pairs} of bodies overlap: if they do, which `check` would say, what lies in both counts twice"
+    return [*(str(one) for one in validity.remarks), *([may] if close else [])]
+
+
 def _body(model: Model, name: str, density: float | None, unit: str, question: Question) -> MassProperties:
     """Of one body: of its smooth shape, where the file has one, with area and box of the polyhedron."""
-    try:
-        found = _properties(model.bodies[name], density, unit, question)
-    except GeometryError as error:
-        if len(model.bodies) == 1:
-            raise
-        raise GeometryError(f"{name}: {error.headline[0].lower()}{error.headline[1:]}", error.problems) from None
+    found = _properties(model.bodies[name], density, unit, question)
     smooth = model.smooth.get(name)
     if smooth is None or question.of_shells or found.warnings:
         return found

@@ -35,6 +35,7 @@ FILES = Option(
     metavar="FILE",
     required=True,
     allow_leading_hyphen=True,
+    json_list=False,  # a name may begin with a bracket
     help="Files of bodies, folders of them, @LIST for the files that a text file names, - for what is piped in.",
 )
 

@@ -69,7 +69,12 @@ class Wanted:
     sum: Annotated[bool, Option(help="All files together, too.", negative=(), show_default=False)] = False
     subtract: Annotated[
         list[Path] | None,
-        Option(help="Takes a part of each file away; may be repeated.", metavar="FILE", negative_iterable=()),
+        Option(
+            help="Takes a part of each file away; may be repeated.",
+            metavar="FILE",
+            negative_iterable=(),
+            json_list=False,
+        ),
     ] = None
     shell: Annotated[
         float | None,

@@ -30,7 +30,7 @@ def properties_table(
         table.add_column(heading, style="dim" if heading else "")
     for name in names:
         table.add_column(escape(name), justify="right")
-    columns = [_values(one, units, view) for one in properties]
+    columns = [_values(one, units, view, alone=len(properties) == 1) for one in properties]
     for label, (unit, _) in columns[0].items():
         table.add_row(label, unit, *(column[label][1] if label in column else "" for column in columns))
     return table
@@ -62,8 +62,8 @@ def properties_note(units: Units, view: View = PLAIN) -> str:
     return " ".join([*said, "Off the diagonal, tensors hold minus the products: Ixy = −∫xy dm, and xy = +∫xy dm."])
 
 
-def _values(properties: MassProperties, units: Units, view: View) -> dict[str, tuple[str, str]]:
-    """Unit and text of every property by its label."""
+def _values(properties: MassProperties, units: Units, view: View, *, alone: bool) -> dict[str, tuple[str, str]]:
+    """Unit and text of every property by its label; of a body that is alone the principal axes, too."""
     length = units.length
     rows = {"volume": (power(length, 3), number(properties.volume))} if units.has_volume else {}
     if units.has_mass:
@@ -72,11 +72,17 @@ def _values(properties: MassProperties, units: Units, view: View) -> dict[str, t
         rows["surface area"] = (power(length, 2), number(properties.area))
     rows |= {label: (length, number(value)) for label, value in _centroid(properties).items()}
     rows |= _tensors(properties, f"kg·{length}²" if units.has_mass else power(length, 5), view)
+    for index, axis in enumerate(properties.principal_axes.T if alone else (), start=1):  # too wide side by side
+        rows[f"principal axis {index}"] = ("x, y, z", ", ".join(f"{value:.6f}" for value in _without_noise(axis, 1.0)))
     for index, value in enumerate(properties.radii_of_gyration, start=1):
         rows[f"radius of gyration {index}"] = (length, number(value))
     rows["found by"] = ("", properties.method)
-    rows["relative error at most"] = ("", number(properties.error_bound, digits=1))
+    rows["relative error at most"] = ("", _bound(properties))
     return rows
+
+
+def _bound(properties: MassProperties) -> str:
+    return number(properties.error_bound, digits=1) if np.isfinite(properties.error_bound) else "unknown"
 
 
 def _tensors(properties: MassProperties, unit: str, view: View) -> dict[str, tuple[str, str]]:
@@ -86,7 +92,7 @@ def _tensors(properties: MassProperties, unit: str, view: View) -> dict[str, tup
         tensors["point"] = view.inertia_about(properties)
     rows: dict[str, tuple[str, str]] = {}
     for about, tensor in tensors.items():
-        clean = _without_noise(tensor, float(np.linalg.norm(tensor)))
+        clean = _without_noise(tensor, float(np.abs(tensor).max()))
         rows |= {f"{name} about the {about}": (unit, number(clean[i, j])) for name, (i, j) in _COMPONENTS.items()}
     for index, value in enumerate(properties.principal_moments, start=1):
         rows[f"principal moment {index}"] = (unit, number(value))

@@ -26,9 +26,10 @@ class Sum:
             said = f"{units.length} and {units.mass}, not {first.length} and {first.mass} like the first file"
             self._problems.append(Problem(str(found.file), f"it is in {said}"))
         else:
-            together = self._total.together + found.together
-            # found now, so that no chain of all the files is kept
-            together = replace(together, find_extent=partial(Extent, *together.extent))
+            parts = self._total.together, found.together
+            # found now, so that no chain of all the files is kept; the files lie apart, so that areas add
+            extent = parts[0].extent.joined(parts[1].extent)._replace(area=_added(parts[0].area, parts[1].area))
+            together = replace(parts[0] + parts[1], find_extent=partial(Extent, *extent))
             self._total = replace(self._total, together=together)
 
     def total(self) -> Measured | None:
@@ -36,3 +37,7 @@ class Sum:
         if self._problems:
             raise ProblemsError("These files have no sum", self._problems[:10])
         return self._total
+
+
+def _added(one: float | None, other: float | None) -> float | None:
+    return None if one is None or other is None else one + other

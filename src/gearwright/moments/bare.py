@@ -6,7 +6,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from ..arrays import Array, ArrayLike
+from ..arrays import Array, ArrayLike, numbers_in
 from ..errors import GeometryError, Problem
 from .faces import Corners, Faces, corner_lists
 from .indexed import Polygons, Triangles, middle, require_corners, unsigned
@@ -31,26 +31,53 @@ def mass_properties(
     Raises GeometryError if the density is not positive, or the faces do not close, turn inward, or name vertices
     that are not there.
     """
-    if not 0.0 < density < np.inf:
-        problem = Problem(f"density = {density!r}", "a positive number is needed: mass per cubed length unit")
-        raise GeometryError("These faces have no mass", [problem])
-    points = np.ascontiguousarray(vertices, np.float64)
-    if points.ndim != 2 or points.shape[1] != 3:
-        _refuse(f"vertices of shape {points.shape}", "an array (n, 3) is needed")
-    if isinstance(faces, np.ndarray) and faces.ndim == 2 and faces.dtype.kind == "i":
-        if faces.dtype.itemsize < 4 or not faces.flags.c_contiguous:
-            faces = np.ascontiguousarray(faces, np.int64)
-        if faces.shape[1] == 3:
-            if len(faces) <= CHUNK:
-                found = _few(points, faces)
-                if found is not None:
-                    return density * found[0], found[1], density * found[2]
-            return _many(Triangles(vertices=points, triangles=faces, threads=threads), faces.reshape(-1), density)
+    mass = _density(density)
+    points = _points(vertices)
+    if threads is not None and threads not in range(1, 1025):
+        _refuse(f"threads = {threads!r}", "1 to 1024, or None, is needed")
+    numbers = _native(faces)
+    if numbers is not None and numbers.shape[1] == 3:
+        found = _few(points, numbers) if len(numbers) <= CHUNK else None
+        if found is None:
+            source = Triangles(vertices=points, triangles=numbers, threads=threads)
+            found = _many(source, numbers.reshape(-1))
+    else:
+        try:
+            indices, offsets = _corners(faces if numbers is None else numbers)
+        except (TypeError, ValueError) as error:
+            _refuse("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})")
+        found = _many(Polygons(vertices=points, indices=indices, offsets=offsets, threads=threads), indices)
+    volume, centroid, inertia = found
+    return mass * volume, centroid, mass * inertia
+
+
+def _density(density: object) -> float:
+    if type(density) is float and 0.0 < density < np.inf:
+        return density  # the usual case, at once
+    (number,) = numbers_in(density) or [np.nan]
+    if not number > 0.0:
+        message = "a positive number is needed: mass per cubed length unit"
+        raise GeometryError("These faces have no mass", [Problem(f"density = {density!r}", message)])
+    return number
+
+
+def _points(vertices: ArrayLike) -> Array:
     try:
-        indices, offsets = _corners(faces)
-    except (TypeError, ValueError) as error:
-        _refuse("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})")
-    return _many(Polygons(vertices=points, indices=indices, offsets=offsets, threads=threads), indices, density)
+        given = np.asarray(vertices)
+        points = np.ascontiguousarray(given, np.float64) if given.dtype.kind in "fiub" else np.empty(0)
+    except (TypeError, ValueError):
+        given = points = np.empty(0)
+    if points.ndim != 2 or points.shape[1] != 3:
+        _refuse(f"vertices of shape {given.shape}", "an array (n, 3) of numbers is needed")
+    return points
+
+
+def _native(faces: object) -> Any:
+    """Faces as a contiguous array (m, k) of int32 or int64, not copied where they are one; None if they are none."""
+    if not isinstance(faces, np.ndarray) or faces.ndim != 2 or faces.dtype.kind != "i":
+        return None
+    kept = faces.dtype in (np.int32, np.int64) and faces.dtype.isnative
+    return np.ascontiguousarray(np.asarray(faces), None if kept else np.int64)
 
 
 def _corners(faces: Faces) -> Corners:
@@ -68,23 +95,30 @@ def _few(points: Array, triangles: Any) -> tuple[float, Array, Array] | None:
     if place >= 0:
         require_corners(triangles[place // 3], place // 3, len(points))
     volume, closure, of_volume, of_second, largest = values
-    if closure <= CLOSED and volume > TINY and max(of_volume, of_second) <= AMPLIFICATION_LIMIT and largest < np.inf:
+    enough = volume > TINY and TINY < largest < np.inf
+    if closure <= CLOSED and enough and max(of_volume, of_second) <= AMPLIFICATION_LIMIT:
         return float(volume), centroid, inertia
     return None
 
 
-def _many(source: Triangles | Polygons, numbers: Any, density: float) -> tuple[float, Array, Array]:
+def _many(source: Triangles | Polygons, numbers: Any) -> tuple[float, Array, Array]:
     origin = middle(source.vertices, numbers)
-    moments = settled(source, origin, source.sums(origin))
-    body = moments.body
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        moments = settled(source, origin, source.sums(origin))
+        body = moments.body
+        inertia = inertia_tensor(body.central_second) if body.volume > 0.0 else np.zeros((3, 3))
     if not (moments.closure <= CLOSED and body.volume > 0.0):
-        _refuse_open(source.vertices, moments.closure, body.volume)
-    return density * body.volume, body.centroid, density * inertia_tensor(body.central_second)
+        _refuse_open(source.vertices, numbers, moments.closure, body.volume)
+    if not (np.all(np.isfinite(inertia)) and np.all(np.isfinite(body.centroid)) and np.trace(inertia) > 0.0):
+        size = float(np.max(np.abs(source.box)))
+        _refuse(f"coordinates up to {size:.3g}", "their fifth powers are no numbers; take another length unit")
+    return body.volume, body.centroid, inertia
 
 
-def _refuse_open(points: Array, closure: float, volume: float) -> None:
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
-    if len(bad) and not np.isfinite(closure):
+def _refuse_open(points: Array, numbers: Any, closure: float, volume: float) -> None:
+    used = np.unique(numbers)
+    bad = used[~np.isfinite(points[used]).all(axis=1)]
+    if len(bad):
         _refuse(f"vertex {bad[0]} = {points[bad[0]].tolist()}", "coordinates must be finite")
     raise GeometryError(
         "These faces do not bound a solid",

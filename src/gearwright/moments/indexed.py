@@ -112,6 +112,8 @@ def unsigned(triangles: Any) -> Any:
 
 def require_corners(corners: Any, face: int, count: int) -> None:
     """Refuses a face that has fewer than three corners or names a vertex that is not there. Raises GeometryError."""
+    if count == 0:
+        raise GeometryError("These arrays are not a polyhedron", [Problem(f"face {face}", "there are no vertices")])
     beyond = [int(number) for number in corners if not 0 <= number < count]
     if beyond:
         message = f"vertex numbers go from 0 to {count - 1}; lists that count from 1 must be lowered by 1"

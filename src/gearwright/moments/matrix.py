@@ -78,4 +78,7 @@ def central_second(matrix: Array) -> Array:
 def inertia_tensor(second: ArrayLike) -> Array:
     """I = tr(S) 1 − S (3, 3): the off-diagonals are minus the products ∫xy, ∫yz, ∫zx."""
     second = np.asarray(second, float)
-    return np.trace(second, axis1=-2, axis2=-1)[..., None, None] * np.eye(3) - second
+    inertia = -second
+    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):  # the trace without its k-th term, which may be the largest
+        inertia[..., k, k] = second[..., i, i] + second[..., j, j]
+    return inertia

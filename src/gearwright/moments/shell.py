@@ -59,7 +59,8 @@ def surface_moments(vertices: Array, indices: Indices, offsets: Indices) -> Surf
     _, exponent = np.frexp(np.max(box[1] - box[0]))
     length = float(np.ldexp(1.0, int(exponent)))  # a power of two: exact, and nothing overflows
     scaled = (vertices - middle) / length
-    areas, uncertain = _signed_areas(scaled, triangles, indices, offsets)
+    # of the vertices as they stand: their differences are exact, those of rounded ones are not
+    areas, uncertain = _signed_areas(vertices / length, triangles, indices, offsets)
     total, first, _ = _sums(scaled, triangles, areas)
     if not total > 0.0:
         return SurfaceMoments(

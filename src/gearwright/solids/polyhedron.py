@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -129,6 +130,9 @@ class Polyhedron:
         """Signed fans of the faces (t, 3): for integrals; they overlap where a face is not convex."""
         return fan_triangles(self.indices, self.offsets)
 
+    def __repr__(self) -> str:
+        return f"<Polyhedron of {len(self.offsets) - 1} faces and {len(self.vertices)} vertices>"
+
     def validity(self) -> PolyhedronValidity:
         """Report on holes, flipped faces, inward bodies and the like."""
         return self._validity
@@ -170,16 +174,21 @@ class Polyhedron:
             moments, area = allowed_moments(validity)
         else:
             moments, area = self._moments, self._moments.area
-        if not moments.body.volume > 0.0:
-            given = f"volume {moments.body.volume:.6g}"
-            raise GeometryError("This polyhedron does not bound a solid", [Problem(given, PROBLEMS["flat"].message)])
+        body = moments.body
+        if body.volume < 0.0 and "inward" in allowed and len(validity.inward):
+            body = replace(body, matrix=-body.matrix)  # the whole the other way round
+        if not body.volume > 0.0:
+            given = f"volume {body.volume:.6g}"
+            said = PROBLEMS["inward" if body.volume < 0.0 else "flat"].message
+            raise GeometryError("This polyhedron does not bound a solid", [Problem(given, said)])
         found = MassProperties.from_moments(
-            moments.body, density=density, find_extent=partial(self._extent, area), warnings=warnings
+            body, density=density, find_extent=partial(self._extent, area), warnings=warnings
         )
         impossible = found.validity()
         if impossible:
             raise GeometryError("This polyhedron does not bound a solid", impossible)
-        return found
+        # what is allowed has no one answer that it could be off from
+        return replace(found, error_bound=math.inf) if warnings else found
 
     def _extent(self, area: float) -> Extent:
         return Extent(area, bounding_box(self.vertices, self.indices))

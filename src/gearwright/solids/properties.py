@@ -26,6 +26,8 @@ _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
 _RIGID = 1e-9
 """How far R Rᵀ may be from 1 for R to count as a rotation."""
 
+_ROUNDOFF = 2.0**-53
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MassProperties:
@@ -189,10 +191,12 @@ class MassProperties:
         Raises GeometryError if R is not a rotation (for mirroring and scaling, transform the body itself).
         """
         matrix, shift = require_rotation(rotation, _RIGID), fixed_array(translation, (3,))
+        strain = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
         return replace(
             self,
             centroid=matrix @ self.centroid + shift,
             central_second=matrix @ self.central_second @ matrix.T,
+            error_bound=self.error_bound + 6.0 * strain,
             find_extent=partial(_moved_extent, self, matrix, shift),
         )
 
@@ -202,10 +206,14 @@ class MassProperties:
             return NotImplemented
         return self._combined(other, 1.0, partial(_joint_extent, self, other))
 
+    def __radd__(self, other: object) -> MassProperties:
+        """So that `sum` takes several: 0 + a is a."""
+        return self if isinstance(other, int) and other == 0 else NotImplemented
+
     def __sub__(self, other: MassProperties) -> MassProperties:
         """Properties of this body without a body that is part of it (give that one this body's density).
 
-        Raises GeometryError if nothing would remain.
+        Raises GeometryError if nothing would remain, or the part's box is not within this body's.
         """
         if not isinstance(other, MassProperties):
             return NotImplemented
@@ -219,6 +227,7 @@ class MassProperties:
                     )
                 ],
             )
+        _require_within(self.bounding_box, other.bounding_box)
         return self._combined(other, -1.0, partial(_remaining_extent, self, other))
 
     def _combined(self, other: MassProperties, sign: float, find_extent: Callable[[], Extent]) -> MassProperties:
@@ -237,7 +246,7 @@ class MassProperties:
             density=density,
             find_extent=find_extent,
             method=max(self.method, other.method, key=_METHODS.index),
-            error_bound=_combined_error(self, other, volume, second),
+            error_bound=_combined_error(self, other, sign, volume, second),
             evaluations=self.evaluations + other.evaluations,
             warnings=tuple(dict.fromkeys(self.warnings + other.warnings)),
         )
@@ -279,6 +288,16 @@ class MassProperties:
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
 
 
+def _require_within(whole: Array | None, part: Array | None) -> None:
+    if whole is None or part is None:
+        return
+    slack = _RIGID * float(np.max(whole[1] - whole[0]))
+    if np.any(part[0] < whole[0] - slack) or np.any(part[1] > whole[1] + slack):
+        ranges = [" × ".join(f"{low:.6g}…{high:.6g}" for low, high in box.T) for box in (part, whole)]
+        message = f"reaches beyond the body, {ranges[1]}: check the frames, the units and the order"
+        raise GeometryError("The body taken away is no part of the other", [Problem(f"its box, {ranges[0]}", message)])
+
+
 def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:
     return body.extent.moved(rotation, shift)
 
@@ -291,10 +310,17 @@ def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
     return whole.extent.without(part.extent)
 
 
-def _combined_error(a: MassProperties, b: MassProperties, volume: float, second: Array) -> float:
-    """Bound for a sum or difference: absolute errors add, relative to what is left."""
-    arm = b.centroid - a.centroid
-    of_volume = (a.error_bound * abs(a.volume) + b.error_bound * abs(b.volume)) / abs(volume)
-    spreads = [float(np.trace(part.central_second)) + abs(part.volume) * float(arm @ arm) for part in (a, b)]
+def _combined_error(a: MassProperties, b: MassProperties, sign: float, volume: float, second: Array) -> float:
+    """Bound for a sum or difference: absolute errors add, relative to what is left.
+
+    The second moments' are those of the parts and of V_a V_b/V |arm|², whose arm is as good as the centroids' digits.
+    """
+    arm, reach = float(np.linalg.norm(b.centroid - a.centroid)), max(np.abs(a.centroid).max(), np.abs(b.centroid).max())
+    reduced = abs(a.volume * b.volume / volume)
+    volumes = (a.error_bound * abs(a.volume) + b.error_bound * abs(b.volume)) / abs(volume)
+    spreads = [part.error_bound * abs(float(np.trace(part.central_second))) for part in (a, b)]
+    either = max(a.error_bound, b.error_bound) if sign > 0.0 else a.error_bound + b.error_bound
+    rounded = 4.0 * _ROUNDOFF * reach
+    arms = reduced * (either * arm**2 + 2.0 * arm * rounded + rounded**2)
     left = abs(float(np.trace(second)))
-    return max(of_volume, (a.error_bound * spreads[0] + b.error_bound * spreads[1]) / left if left else math.inf)
+    return float(max(volumes, (sum(spreads) + arms) / left if left else math.inf)) + 8.0 * _ROUNDOFF

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Array, ArrayLike
+from ..arrays import Array, ArrayLike, numbers_in
 from ..errors import GeometryError, ParameterError, Problem
 
 
@@ -24,12 +24,12 @@ def fixed_array(values: ArrayLike, shape: tuple[int, ...]) -> Array:
 
 def sound_density(density: object) -> float:
     """A density as a float. Raises ParameterError where it is no positive number."""
-    if not (isinstance(density, int | float | np.number) and math.isfinite(density) and density > 0):
-        raise ParameterError(
-            "MassProperties",
-            [Problem(f"density = {density!r}", "a positive number is needed: mass per cubed length unit")],
-        )
-    return float(density)
+    (number,) = numbers_in(density) or [math.nan]
+    if not number > 0.0:
+        hint = "; density(name) gives that of a material" if isinstance(density, str) else ""
+        message = f"a positive number is needed: mass per cubed length unit{hint}"
+        raise ParameterError("MassProperties", [Problem(f"density = {density!r}", message)])
+    return number
 
 
 def require_finite(values: dict[str, Any]) -> None:

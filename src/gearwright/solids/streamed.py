@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+import numpy as np
+
 from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..files.stl.records import Records, records
@@ -33,7 +35,7 @@ def stream_properties(path: str | Path, density: float = 1.0, *, threads: int | 
 def soup_properties(source: Records, soup: Soup, look: Look, density: float) -> MassProperties:
     """Properties from a look at the soup of a file about its middle. Raises GeometryError."""
     found = soup_moments(soup, look)
-    if look.sides or not found.closure <= CLOSED:
+    if look.sides or not found.closure <= CLOSED or not np.all(np.isfinite(look.sums.rounded)):
         raise GeometryError(
             f"{source.path} does not bound a solid",
             [

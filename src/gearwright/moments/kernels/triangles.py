@@ -24,6 +24,8 @@ def triangle_sums(
     unsigned. Gives −1, or the place in `numbers` of the first block's first number out of range; nothing outside
     the arrays is read.
     """
+    if len(vertices) == 0:
+        return 3 * start if stop > start else -1
     lanes, block = np.zeros((ROWS, LANES)), np.zeros(ROWS)
     last = np.uint64(len(vertices) - 1)
     for first in range(start, stop, BLOCK):

@@ -57,7 +57,7 @@ PROBLEMS: dict[str, Text] = {
         "corners must run counter-clockwise seen from outside; the usual cause is a mirrored body; reverse the order of"
         " the corners in all its faces (faces[:, ::-1])",
         "Blender: Mesh > Normals > Recalculate Outside",
-        "their volume is taken away",
+        "their volume is taken away; where all turn inward, they are taken the other way round",
     ),
     "nested": Text(
         "their volume would count twice; a void must be turned inward (faces[:, ::-1]), bodies that overlap or lie in"
