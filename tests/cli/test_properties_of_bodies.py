@@ -203,7 +203,7 @@ def test_shells_by_thickness_and_by_surface_density(run, monkeypatch):
         (["--material", "stel"], "did you mean steel?"),
         (["--length-unit", "inch"], "--length-unit inch: choose one of um, mm, cm, m, in, ft"),
         (["--jobs", "0"], "--jobs = 0: at least 1"),
-        (["--about", "1", "2", "inf"], "--about 1.0 2.0 inf: three finite numbers"),
+        (["--about", "1", "2", "inf"], "--about 1.0 2.0 inf: three numbers of at most 1e+12"),
         (["--axes", "1,2,3,4"], "--axes 1,2,3,4: give file, principal, a unit quaternion"),
         (["--axes", "1,0,0,0,1,0,0,0,-1"], "a right-handed rotation is needed"),
         (["--json", "--format", "csv"], "--json asks for another"),

@@ -111,6 +111,7 @@ def test_files_are_read_by_their_suffix(tmp_path):
     path = tmp_path / "part.OBJ"
     path.write_bytes(OBJ)
     assert len(reading.read(path).bodies) == 1
+    (tmp_path / "part").write_bytes(OBJ)
     for name in ("part", "part.xyz"):
         with pytest.raises(FileError, match=r"cannot be read; known suffixes: \.stl, "):
             reading.read(tmp_path / name)

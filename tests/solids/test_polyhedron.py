@@ -211,6 +211,7 @@ def test_saved_and_loaded(tmp_path):
     path = tmp_path / "cube.STL"
     Polyhedron(CUBE, FACES).save(path)
     assert Polyhedron.load(path).properties().volume == 1
+    (tmp_path / "cube").touch()
     for name in ("cube.xyz", "cube"):
         with pytest.raises(FileError, match=r"known suffixes: \.stl"):
             Polyhedron(CUBE, FACES).save(tmp_path / name)

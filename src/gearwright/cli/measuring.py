@@ -165,7 +165,11 @@ def densities_by_body(bodies: Collection[str], given: Mapping[str, float]) -> di
 
 
 def _model(file: Path) -> Model:
-    return Model.of(reading.read_stream(sys.stdin.buffer)) if file == STANDARD_INPUT else Model.load(file)
+    if file != STANDARD_INPUT:
+        return Model.load(file)
+    if sys.stdin is None:
+        raise FileError("standard input is closed; nothing is piped in")
+    return Model.of(reading.read_stream(sys.stdin.buffer))
 
 
 def _unit(file: Path, stated: str | None, asked: str | None) -> str:

@@ -11,7 +11,7 @@ from cyclopts import Parameter as Option
 
 from ..errors import GeometryError, ParameterError, Problem, ProblemsError
 from ..materials import DENSITY, material
-from ..parameters import LENGTH_UNITS, Parameter, did_you_mean
+from ..parameters import LENGTH_UNITS, MOST, Parameter, did_you_mean
 from ..solids.validity.kinds import ProblemKind
 from .common_options import DENSITY_HELP, MATERIAL_HELP, unsound
 from .measuring import Question
@@ -165,8 +165,9 @@ def _number(word: str) -> float:
 
 def _view(wanted: Wanted, problems: list[Problem]) -> View:
     about = None if wanted.about is None else np.array(wanted.about)
-    if about is not None and not np.all(np.isfinite(about)):
-        problems.append(Problem(f"--about {' '.join(map(str, wanted.about or ()))}", "three finite numbers are needed"))
+    if about is not None and not np.all(np.abs(about) <= MOST):
+        words = " ".join(map(str, wanted.about or ()))
+        problems.append(Problem(f"--about {words}", f"three numbers of at most {MOST:g} are needed"))
     try:
         return View(about=about, axes=axes_in(wanted.axes))
     except GeometryError as error:
@@ -210,6 +211,8 @@ def _format_problems(wanted: Wanted, view: View) -> list[Problem]:
         problems.append(Problem(f"--format {wanted.written}", "it is in kg; a --density or --material is needed"))
     if wanted.written == "mjcf" and view.name == "given":
         problems.append(Problem(f"--axes {wanted.axes}", "MJCF takes tensors along the axes file or principal only"))
+    if wanted.written == "csv" and view.about is not None:
+        problems.append(Problem("--about", "CSV has no columns for it; take --format json"))
     if wanted.written in INERTIAL and view.about is not None:
         problems.append(Problem("--about", f"{wanted.written} takes inertia about the centre of mass only"))
     return problems

@@ -24,6 +24,9 @@ def read(path: str | Path) -> Contents:
     Raises FileError where the suffix is of no known format or the file is not whole; MachineError if the disk does
     not give it.
     """
+    if not Path(path).suffix:
+        with disk.opened(path):  # a name that is no file's is refused as that
+            pass
     parse = load(format_of(path, "read").parser or "")
     return parse(disk.contents(path), str(path))
 

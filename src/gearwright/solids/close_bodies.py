@@ -13,7 +13,7 @@ _CONTACT = 1e-6
 
 
 def close_bodies(validity: PolyhedronValidity) -> Indices:
-    """Pairs (k, 2) of bodies whose boxes overlap by more than a contact: whether the bodies do, their faces must say."""
+    """Pairs (k, 2) of bodies whose boxes overlap by more than a contact; whether the bodies do, their faces say."""
     if validity.bodies < 2:
         return np.empty((0, 2), np.int64)
     from .box_tree import overlapping_pairs

@@ -26,6 +26,9 @@ from .validity.allowed import allowed_moments
 from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
 
+_MOST = 1e60
+"""Largest coordinate: fifth powers of lengths must be numbers."""
+
 
 @dataclass(frozen=True, eq=False, init=False)
 class Polyhedron:
@@ -256,6 +259,10 @@ def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
         wanted = "an array (n, 3) is needed; further columns, as of weights, must be left out"
         problems.append(Problem(f"vertices of shape {points.shape}", wanted))
         return points.reshape(-1, 1)
+    bad = np.flatnonzero(np.any(np.isfinite(points) & (np.abs(points) > _MOST), axis=1))
+    if len(bad):
+        where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")
+        problems.append(Problem(where, f"up to {_MOST:g} their fifth powers are numbers; take another length unit"))
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
         where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")

@@ -11,6 +11,10 @@ from ..text.places import shown
 
 Attributes = Mapping[str, str]
 
+_LONGEST = 1 << 20
+"""Bytes of one tag, comment or the like, which are looked through again with every piece that comes: beyond this it
+would take time that grows with the square of its length."""
+
 
 @final
 class Reader:
@@ -33,8 +37,12 @@ class Reader:
     def feed(self, chunks: Iterable[bytes]) -> None:
         """Reads a whole document. Raises FileError with the line where it is not XML or has a document type."""
         try:
+            fed = 0
             for chunk in chunks:
                 self._parser.Parse(chunk, False)
+                fed += len(chunk)
+                if fed - max(self._parser.CurrentByteIndex, 0) > _LONGEST + len(chunk):
+                    raise self.error(f"a tag or comment of more than {_LONGEST >> 20} MiB, the longest that is read")
             self._parser.Parse(b"", True)
         except expat.ExpatError as error:
             raise FileError(f"{self._source}: not XML: {error}; the file is damaged; write or copy it again") from None
