@@ -9,7 +9,7 @@ from typing import Annotated, NamedTuple
 from cyclopts import Parameter as Option
 
 from ..errors import GeometryError, Problem
-from ..solids.polyhedron import Polyhedron
+from ..solids.model import Model
 from ..solids.self_intersections import SelfIntersections
 from ..solids.validity.report import PolyhedronValidity
 from .exits import CHECK_FAILED, DONE, report
@@ -34,8 +34,9 @@ def check(
     for file in files:
         try:
             with progress(f"checking {file}"):
-                polyhedron = Polyhedron.load(file)
-                findings = Findings.of(polyhedron)
+                model = Model.load(file)
+                polyhedron = model.polyhedron
+                findings = Findings.of(model)
         except Exception as error:  # noqa: BLE001  whatever one file brings about, the others are still done
             worst = max(worst, report(error, f"gearwright check {file}", subject=str(file)))
             continue
@@ -49,21 +50,25 @@ class Findings(NamedTuple):
     """What was found of one polyhedron.
 
     inertia   why no body can have its moments; empty where other problems leave it without any
+    sound     how its bodies bound solids all the same, in words, where `properties` takes them so
     """
 
     validity: PolyhedronValidity
     crossings: SelfIntersections
     inertia: tuple[Problem, ...]
+    sound: tuple[str, ...]
 
     @classmethod
-    def of(cls, polyhedron: Polyhedron) -> Findings:
+    def of(cls, model: Model) -> Findings:
+        polyhedron = model.polyhedron
         inertia: tuple[Problem, ...] = ()
         if polyhedron.validity().valid:
             try:
                 polyhedron.properties()
             except GeometryError as error:
                 inertia = error.problems
-        return cls(polyhedron.validity(), polyhedron.self_intersections(), inertia)
+        mended = () if polyhedron.validity().valid else model.sound.remarks[len(model.remarks) :]
+        return cls(polyhedron.validity(), polyhedron.self_intersections(), inertia, mended)
 
     @property
     def passed(self) -> bool:
@@ -72,7 +77,7 @@ class Findings(NamedTuple):
 
 def _json(file: Path, faces: int, findings: Findings) -> str:
     head = {"file": str(file), "passed": findings.passed, "faces": faces}
-    inertia = {"inertia_problems": [str(problem) for problem in findings.inertia]}
+    inertia = {"inertia_problems": [str(problem) for problem in findings.inertia], "sound": list(findings.sound)}
     crossings = {"self_intersections": findings.crossings.to_dict()}
     return json_line({**head, **findings.validity.to_dict(), **inertia, **crossings})
 
@@ -83,4 +88,5 @@ def _text(file: Path, faces: int, findings: Findings) -> str:
     verdict = "all is well" if findings.passed else "a check failed"
     lines = [f"{file}: {verdict} ({faces} faces, {components})", *str(validity).splitlines()]
     lines += [f"problem: {problem}" for problem in findings.inertia]
+    lines += [f"remark: {words}, as `properties` takes it" for words in findings.sound]
     return "\n  ".join([*lines, *str(findings.crossings).splitlines()])
