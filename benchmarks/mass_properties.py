@@ -5,7 +5,7 @@ For 20 thousand to 10 million triangles of a torus: volume, centroid, inertia, c
 have of it, those that are installed (`pip install -e '.[bench]'`). Then a call for 12 triangles, and a binary STL file
 from the disk, streamed beside loaded by trimesh, each in a process of its own, with its peak memory.
 
-Rounds of all are taken in turn, so that a busy machine is unjust to none; medians are printed.
+All take their turn in every round, so that a busy machine is unjust to none; medians are printed.
 """
 
 from __future__ import annotations
@@ -108,15 +108,16 @@ def _with_objects(vertices: np.ndarray, triangles: np.ndarray) -> dict[str, Call
 
 
 def medians(actions: dict[str, Callable[[], object]], rounds: int) -> dict[str, float]:
-    """Median seconds of each, taken in turn."""
-    for action in actions.values():
-        action()
+    """Median seconds of each, over rounds in which all have their turn: a rest, a run that does not count, three."""
     times: dict[str, list[float]] = {name: [] for name in actions}
     for _ in range(rounds):
         for name, action in actions.items():
-            start = time.perf_counter()
+            time.sleep(0.02)  # threads of the one before may still wait for work, and take a core for that
             action()
-            times[name].append(time.perf_counter() - start)
+            for _ in range(3):
+                start = time.perf_counter()
+                action()
+                times[name].append(time.perf_counter() - start)
     return {name: statistics.median(those) for name, those in times.items()}
 
 
@@ -124,7 +125,7 @@ def compare_in_memory() -> None:
     """Prints millions of triangles a second, and ratios to one thread of ours."""
     for count, shape in SHAPES.items():
         actions = contenders(*torus(*shape))
-        found = medians(actions, 41 if count <= SLOW else 9)
+        found = medians(actions, 15 if count <= SLOW else 4)
         own = found["gearwright, 1 thread"]
         print(f"\n{count} triangles                        ms      Mtri/s    × ours on 1 thread")
         for name, seconds in sorted(found.items(), key=lambda item: item[1]):

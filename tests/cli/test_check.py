@@ -106,3 +106,31 @@ def test_a_file_is_needed(run):
     outcome = run("check")
     assert outcome.code == 2
     assert "gearwright check --help" in outcome.err
+
+
+def test_corners_written_anew_are_remarked(run, tmp_path):
+    path = tmp_path / "anew.obj"
+    lines = [f"v {x} {y} {z}" for face in FACES for x, y, z in CORNERS[face]]
+    path.write_text("\n".join([*lines, *(f"f {k} {k + 1} {k + 2} {k + 3}" for k in range(1, 25, 4))]))
+    outcome = run("check", path, "--json")
+    assert outcome.code == 1
+    assert json.loads(outcome.out)["sound"] == ["body 1 closes only with its corners at equal coordinates joined"]
+    assert "remark: body 1 closes only with" in run("check", path).out
+    assert run("properties", path).code == 0
+
+
+def test_whatever_one_file_brings_about_the_others_are_done(run, files, monkeypatch):
+    from gearwright.solids.model import Model
+
+    load = Model.load.__func__
+
+    def loaded(cls, path):
+        if "open" in str(path):
+            raise MemoryError
+        return load(cls, path)
+
+    monkeypatch.setattr(Model, "load", classmethod(loaded))
+    outcome = run("check", files["open"], files["box"])
+    assert outcome.code == 3
+    assert f"{files['open']}: Not enough memory" in outcome.err
+    assert "all is well" in outcome.out

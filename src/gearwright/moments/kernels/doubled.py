@@ -14,8 +14,8 @@ from numba.extending import intrinsic
 
 from ...arrays import Array
 from ...compiled import compiled
-from .lanes import LANES, Lanes, Vector, adding
-from .sums import two_sum
+from .lanes import Lanes, Vector, adding
+from .sums import LANES, two_sum
 
 _ROWS = 10
 

@@ -14,7 +14,8 @@ from llvmlite import ir
 from numba import types
 from numba.core import cgutils
 
-LANES = 4
+from .sums import LANES
+
 _AHEAD = 512
 """Triangles by which the numbers of corners are asked for ahead of their use."""
 
@@ -74,7 +75,7 @@ Vector = tuple[Lanes, Lanes, Lanes]
 def adding(
     rows: int, take: Callable[[list[Lanes], Vector, Vector, Vector, Vector], Sequence[Lanes]], *, exactly: bool
 ) -> Callable[..., Any]:
-    """What numba needs to know of a function that adds the terms of triangles `start` to `stop` to `sums` (4, rows).
+    """What numba needs to know of a function that adds the terms of triangles `start` to `stop` to `sums` (4 rows,).
 
     take   gives the new sums in four lanes from the old, the corners a, b, c of four triangles and the origin
 

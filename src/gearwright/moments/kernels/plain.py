@@ -44,4 +44,4 @@ def _take(so_far: list[Lanes], a: Vector, b: Vector, c: Vector, origin: Vector) 
 add_triangles = cast(
     "Callable[[Array, Any, int, int, Array, Array], None]", intrinsic(adding(ROWS, _take, exactly=False))
 )
-"""Adds triangles `start` to `stop` to sums (ROWS, LANES); see `lanes.adding`."""
+"""Adds triangles `start` to `stop` to sums (LANES · ROWS,) in lanes, row after row; see `lanes.adding`."""

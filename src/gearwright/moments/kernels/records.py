@@ -14,9 +14,8 @@ import numpy as np
 
 from ...arrays import Array
 from ...compiled import compiled
-from .lanes import LANES
 from .plain import add_triangles
-from .sums import BLOCK, ROWS, take_lanes
+from .sums import BLOCK, LANES, ROWS, join_lanes, take_lanes
 
 _K = tuple(np.uint64(k) for k in (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93, 0xA0761D6478BD642F))
 
@@ -27,7 +26,7 @@ def record_sums(corners: Any, origin: Array, nought: Any, high: Array, low: Arra
 
     Coordinates of at most `nought` count as 0. Corners that are not finite leave sums that are not finite.
     """
-    lanes = np.zeros((ROWS, LANES))
+    lanes, highs, lows = np.zeros(LANES * ROWS), np.zeros(LANES * ROWS), np.zeros(LANES * ROWS)
     single = np.empty((3 * BLOCK, 3), np.float32)
     words = single.view(np.uint32)
     # one more, since corners are read four numbers at a time
@@ -53,7 +52,8 @@ def record_sums(corners: Any, origin: Array, nought: Any, high: Array, low: Arra
             for axis in range(3):
                 points[c, axis] = origin[axis]
         add_triangles(points, triangles, 0, whole, origin, lanes)
-        take_lanes(high, low, lanes)
+        take_lanes(highs, lows, lanes)
+    join_lanes(high, low, highs, lows)
 
 
 @compiled

@@ -27,7 +27,10 @@ ROWS = 16
 RUN = 32
 """Terms that are added to each other in plain arithmetic, one after the other."""
 
-BLOCK = 4 * RUN
+LANES = 4
+"""Triangles that are taken at a time, each adding to sums of its own: see `lanes`."""
+
+BLOCK = LANES * RUN
 """Triangles of a run in each of four lanes."""
 
 two_sum = cast("Callable[[Any, Any], tuple[float, float]]", compiled(compensated.two_sum))
@@ -43,13 +46,23 @@ def take(high: Array, low: Array, block: Array) -> None:
 
 
 @compiled
-def take_lanes(high: Array, low: Array, block: Array) -> None:
-    """Adds a block's sums in lanes (16, 4), and sets them to nought."""
-    for row in range(ROWS):
-        total = (block[row, 0] + block[row, 1]) + (block[row, 2] + block[row, 3])
-        high[row], error = two_sum(high[row], total)
-        low[row] += error
-        block[row] = 0.0
+def take_lanes(highs: Array, lows: Array, block: Array) -> None:
+    """Adds a block's sums in lanes (64,), row after row, to sums in lanes, and sets them to nought."""
+    for k in range(LANES * ROWS):
+        total = highs[k] + block[k]
+        part = total - highs[k]
+        lows[k] += (highs[k] - (total - part)) + (block[k] - part)
+        highs[k] = total
+        block[k] = 0.0
+
+
+@compiled
+def join_lanes(high: Array, low: Array, highs: Array, lows: Array) -> None:
+    """Adds sums in lanes (64,) to sums (16,)."""
+    for k in range(LANES * ROWS):
+        row = k // LANES
+        high[row], error = two_sum(high[row], highs[k])
+        low[row] += error + lows[k]
 
 
 @compiled

@@ -9,9 +9,8 @@ import numpy as np
 
 from ...arrays import Array
 from ...compiled import compiled
-from .lanes import LANES
 from .plain import add_triangles
-from .sums import BLOCK, ROWS, RUN, add_triangle, take, take_lanes
+from .sums import BLOCK, LANES, ROWS, RUN, add_triangle, join_lanes, take, take_lanes
 
 
 @compiled
@@ -26,7 +25,8 @@ def triangle_sums(
     """
     if len(vertices) == 0:
         return 3 * start if stop > start else -1
-    lanes, block = np.zeros((ROWS, LANES)), np.zeros(ROWS)
+    lanes, highs, lows = np.zeros(LANES * ROWS), np.zeros(LANES * ROWS), np.zeros(LANES * ROWS)
+    block = np.zeros(ROWS)
     last = np.uint64(len(vertices) - 1)
     for first in range(start, stop, BLOCK):
         end = min(first + BLOCK, stop)
@@ -39,12 +39,13 @@ def triangle_sums(
         wide = first + (end - first) // LANES * LANES if largest < last else first
         if wide > first:
             add_triangles(vertices, triangles, first, wide, origin, lanes)
-            take_lanes(high, low, lanes)
+            take_lanes(highs, lows, lanes)
         for t in range(wide, end):
             nx, ny, nz = add_triangle(vertices, triangles[t, 0], triangles[t, 1], triangles[t, 2], origin, block)
             block[13] += math.sqrt(nx * nx + ny * ny + nz * nz)
             if (t + 1 - wide) % RUN == 0 or t + 1 == end:
                 take(high, low, block)
+    join_lanes(high, low, highs, lows)
     return -1
 
 
