@@ -28,6 +28,9 @@ from gearwright.files.stl import writer as stl
 from gearwright.moments.summation import processors
 
 SHAPES = {20_000: (100, 100), 200_000: (400, 250), 2_000_000: (1000, 1000), 10_000_000: (2500, 2000)}
+TURN = 0.05
+"""Seconds of one's turn: long enough that a sleeping processor is awake, caches are filled and clocks are up."""
+
 SLOW = 200_000
 """Triangles above which a peer that takes more than a microsecond for each is not asked again."""
 
@@ -108,13 +111,14 @@ def _with_objects(vertices: np.ndarray, triangles: np.ndarray) -> dict[str, Call
 
 
 def medians(actions: dict[str, Callable[[], object]], rounds: int) -> dict[str, float]:
-    """Median seconds of each, over rounds in which all have their turn: a rest, a run that does not count, three."""
+    """Median seconds of each over rounds in which all have their turn: a rest, a warming up, then TURN seconds."""
     times: dict[str, list[float]] = {name: [] for name in actions}
     for _ in range(rounds):
         for name, action in actions.items():
             time.sleep(0.02)  # threads of the one before may still wait for work, and take a core for that
             action()
-            for _ in range(3):
+            end = time.perf_counter() + TURN
+            while time.perf_counter() < end:
                 start = time.perf_counter()
                 action()
                 times[name].append(time.perf_counter() - start)
@@ -125,7 +129,7 @@ def compare_in_memory() -> None:
     """Prints millions of triangles a second, and ratios to one thread of ours."""
     for count, shape in SHAPES.items():
         actions = contenders(*torus(*shape))
-        found = medians(actions, 15 if count <= SLOW else 4)
+        found = medians(actions, 7 if count <= SLOW else 4)
         own = found["gearwright, 1 thread"]
         print(f"\n{count} triangles                        ms      Mtri/s    × ours on 1 thread")
         for name, seconds in sorted(found.items(), key=lambda item: item[1]):
