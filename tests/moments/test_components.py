@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gearwright.moments.components import component_boxes, component_volumes, winding_number, windings
+from gearwright.moments.component_volumes import component_volumes
+from gearwright.moments.components import component_boxes, winding_number
 from gearwright.moments.faces import corner_lists, fan_triangles
+from gearwright.moments.windings import windings
 
 from .bodies import cube, gear_like, joined, moved, reversed_faces, star_shaped
 
