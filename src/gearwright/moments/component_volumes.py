@@ -6,6 +6,7 @@ Sources: Dekker, Numer. Math. 18 (1971) (products and sums of pairs); the fans a
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
 from ..compiled import compiled
@@ -30,8 +31,7 @@ def component_volumes(vertices: Array, indices: Indices, offsets: Indices, label
     Where the terms cancel so far that rounding might hide the sign, they are summed again in doubled arithmetic; what
     is less than its rounding, too, is 0. No product of three lengths may overflow.
     """
-    volumes, magnitudes = _plain(vertices, indices, offsets, labels, origins)
-    counts = np.bincount(labels, np.diff(offsets), minlength=len(origins))
+    volumes, magnitudes, counts = _plain(vertices, indices, offsets, labels, origins)
     unsure = np.abs(volumes) <= (_TERM_ROUNDINGS + counts) * _ROUNDOFF * magnitudes
     if unsure.any():
         doubled = _doubled(vertices, indices, offsets, labels, origins, unsure)
@@ -42,11 +42,14 @@ def component_volumes(vertices: Array, indices: Indices, offsets: Indices, label
 
 
 @compiled
-def _plain(vertices: Array, indices: Indices, offsets: Indices, labels: Indices, origins: Array) -> tuple[Array, Array]:
-    """Volumes (k,), and the sums of the magnitudes of all products in them (k,)."""
-    volumes, magnitudes = np.zeros(len(origins)), np.zeros(len(origins))
+def _plain(
+    vertices: Array, indices: Indices, offsets: Indices, labels: Indices, origins: Array
+) -> tuple[Array, Array, Array]:
+    """Volumes (k,), the sums of the magnitudes of all products in them (k,), and how many triangles these have (k,)."""
+    volumes, magnitudes, counts = np.zeros(len(origins)), np.zeros(len(origins)), np.zeros(len(origins))
     for f in range(len(labels)):
         part = labels[f]
+        counts[part] += offsets[f + 1] - offsets[f] - 2
         a, o = vertices[indices[offsets[f]]], origins[part]
         px, py, pz = a[0] - o[0], a[1] - o[1], a[2] - o[2]
         b = vertices[indices[offsets[f] + 1]]
@@ -60,12 +63,12 @@ def _plain(vertices: Array, indices: Indices, offsets: Indices, labels: Indices,
                 abs(px) * (abs(yz) + abs(zy)) + abs(py) * (abs(zx) + abs(xz)) + abs(pz) * (abs(xy) + abs(yx))
             ) / 6.0
             ux, uy, uz = vx, vy, vz
-    return volumes, magnitudes
+    return volumes, magnitudes, counts
 
 
 @compiled
 def _doubled(
-    vertices: Array, indices: Indices, offsets: Indices, labels: Indices, origins: Array, wanted: Array
+    vertices: Array, indices: Indices, offsets: Indices, labels: Indices, origins: Array, wanted: NDArray[np.bool_]
 ) -> Array:
     """Volumes (k,) of the parts that are wanted (k,), in doubled arithmetic."""
     high, low = np.zeros(len(origins)), np.zeros(len(origins))

@@ -45,9 +45,12 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
     measures = face_measures(points, indices, offsets)
     nested = nesting(points, indices, offsets, parts, measures.areas)
     duplicates, back_to_back = doubled_faces(indices, offsets, found.first)
-    accepted = _planarity(nested.boxes, float(np.ldexp(rounding, -exponent)))[parts.labels]
-    nonplanar = np.flatnonzero(measures.deviations > accepted)
-    tightest = accepted[np.argmax(measures.deviations / accepted)] if used.any() else 0.0
+    accepted = _planarity(nested.boxes, float(np.ldexp(rounding, -exponent)))
+    off = np.flatnonzero(measures.deviations)
+    shares = measures.deviations[off] / accepted[parts.labels[off]]
+    nonplanar = off[shares > 1.0]
+    # of the face that comes closest to what is accepted, or exceeds it most
+    planarity = accepted[parts.labels[off[np.argmax(shares)]]] if len(off) else accepted.min(initial=np.inf)
     area = float(measures.areas.sum())
     sizes = np.bincount(parts.labels, minlength=len(parts.closed))
     firsts = np.unique(parts.labels, return_index=True)[1]
@@ -63,7 +66,7 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
         nonplanar_faces=nonplanar,
         deviations=np.ldexp(measures.deviations[nonplanar], exponent),
         deviation=float(np.ldexp(measures.deviations.max(initial=0.0), exponent)),
-        planarity=float(np.ldexp(tightest, exponent)),
+        planarity=float(np.ldexp(planarity, exponent)) if len(accepted) else 0.0,
         duplicates=duplicates,
         back_to_back=back_to_back,
         pinched_vertices=pinched_vertices(uses, len(vertices), indices, offsets),

@@ -66,14 +66,16 @@ def nesting(vertices: Array, indices: Indices, offsets: Indices, shells: Shells,
     boxes = component_boxes(vertices, indices, offsets, labels, len(closed))
     origins = boxes[:, 0] + (boxes[:, 1] - boxes[:, 0]) / 2.0
     volumes = component_volumes(vertices, indices, offsets, labels, origins)
-    total = np.bincount(labels, areas, minlength=len(closed))
+    total = np.bincount(labels, areas, minlength=len(closed)).astype(float)
     least = _NO_VOLUME * total * np.abs(boxes).max(axis=(1, 2), initial=0.0)
     volumes[~closed | (np.abs(volumes) <= least)] = 0.0
     near = _boxes_in_boxes(boxes, tight)
     holed = near[~tight[near[:, 1]]]
     pairs = near[tight[near[:, 1]]]
-    inside, same = insides(shell_faces(vertices, indices, offsets, labels, len(closed)), pairs, boxes, volumes, total)
-    pairs = np.concatenate([pairs[inside], _in_turn(pairs[same], pairs[inside], volumes)])
+    if len(pairs):
+        faces = shell_faces(vertices, indices, offsets, labels, len(closed))
+        inside, same = insides(faces, pairs, boxes, volumes, total)
+        pairs = np.concatenate([pairs[inside], _in_turn(pairs[same], pairs[inside], volumes)])
     depths = np.bincount(pairs[:, 0], minlength=len(closed))
     parents = np.full(len(closed), -1)
     parents[holed[:, 0]] = holed[:, 1]
@@ -85,7 +87,7 @@ def nesting(vertices: Array, indices: Indices, offsets: Indices, shells: Shells,
 
 
 def _boxes_in_boxes(boxes: Array, tight: Flags) -> Indices:
-    """Pairs (k, 2) of boxes (s, 2, 3), the first of a tight shell and within the second, or nearly; equal ones twice."""
+    """Pairs (k, 2) of shells, the first tight, its box (s, 2, 3) about within the other's; equal ones twice."""
     from ..box_tree import overlapping_pairs
 
     found = [np.empty((0, 2), np.int64)]
