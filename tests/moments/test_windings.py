@@ -73,6 +73,28 @@ def test_how_near_a_face_is_unsure(off):
         assert around([[0.5, 0.5, -off], [-off, 0.5, 0.5], [0.5, 0.5, 1 + off]], *cube)[0].tolist() == [0] * 3
 
 
+def test_points_above_and_below_sloping_sides_in_the_plane_of_a_wall_are_sure():
+    """However the wall is turned about z, whose corners then are beside the line through the point by rounding."""
+    ends = np.array([[0.0, 0.0], [4, 1], [3, 3], [1, 2]])  # in x and z
+    vertices = np.concatenate([np.c_[ends[:, :1], np.full(4, y), ends[:, 1:]] for y in (0.0, 1.0)])
+    faces = [[0, 1, 2, 3], [7, 6, 5, 4], *([i + 4, (i + 1) % 4 + 4, (i + 1) % 4, i] for i in range(4))]
+    points = [[0.25, 0.0, 2.9], [2.0, 0.0, 2.7], [0.5, 1.0, 1.6], [2.0, 0.0, 0.1], [3.5, 1.0, 0.2], [3.0, 1.0, 0.5]]
+    for angle in np.linspace(0.1, 6.0, 40):
+        turn = np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+        found, unsure = around(points @ turn, vertices @ turn, faces)
+        assert not found.any()
+        assert not unsure.any()
+
+
+def test_between_the_corners_of_a_bent_face_it_is_unsure():
+    vertices, faces = prism(np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]]), 1.0)
+    vertices[6, 2] += 1e-7
+    heights = np.array([[0.5, 0.5, 1.0 + height] for height in (-1e-6, 1e-8, 2e-8, 4e-8, 1e-6)])
+    found, unsure = around(heights, vertices, faces)
+    assert unsure.tolist() == [False, True, True, True, False]
+    assert found[[0, 4]].tolist() == [1, 0]
+
+
 def test_a_triangle_without_area_is_no_wall_for_points_beside_it():
     """A tetrahedron with one edge split on one side only: the triangle between the two is a line."""
     vertices = np.array([[0, 0, 0], [10, 10, 10], [10, 0, 0], [10, 10, 0], [5, 5, 5]], float)

@@ -99,6 +99,19 @@ def test_flush_bodies_turned_and_far_away(inner):
         assert kinds(one, reversed_faces(other)) == []
 
 
+@pytest.mark.parametrize("inner", FLUSH.values(), ids=FLUSH)
+def test_flush_bodies_whose_boxes_are_rounded_apart(inner):
+    """Turned by 30° three times, so that walls are along the axes again but for rounding."""
+    c, s = np.sqrt(0.75), 0.5
+    for axes in itertools.permutations(range(3)):
+        turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])[np.ix_(axes, axes)]
+        one, other = OUTER, triangulated(gridded(inner, 3))
+        for _ in range(3):
+            one, other = (one[0] @ turn, one[1]), (other[0] @ turn, other[1])
+        assert kinds(one, other) == ["nested"]
+        assert kinds(one, reversed_faces(other)) == []
+
+
 def test_the_few_faces_that_are_not_flush_decide_wherever_they_stand():
     points, faces = triangulated(gridded(box((0.25, 0, 0), (0.75, 1, 1)), 8))
     across = [face for face in faces if np.ptp(points[face][:, 0]) == 0.0]
@@ -160,6 +173,9 @@ def test_a_void_that_a_body_fills_in_any_order():
         assert Polyhedron(*together(*order)).validity().bodies == 2
     for order in itertools.permutations([bodies[0], bodies[2], *halves]):
         assert kinds(*order) == []
+    filled_twice = [*bodies, *bodies[1:]]
+    for first in range(5):
+        assert kinds(*filled_twice[first:], *filled_twice[:first]) == []
     # twice in it is once too often
     for order in itertools.permutations([*bodies, bodies[1]]):
         assert kinds(*order) == ["nested"]
@@ -227,6 +243,7 @@ def test_a_body_far_away_lets_no_bent_face_pass():
         assert list(both.validity().found) == ["nonplanar"]
         assert set(both.validity().nonplanar_faces.tolist()) == set(Polyhedron(*bent).validity().nonplanar_faces)
         assert both.validity().planarity == pytest.approx(1e-6 * np.linalg.norm([1.3, 1.2, 1.4]))
+        assert kinds(bent, moved(cube(), [2.0, 0, 0], far)) == ["nonplanar"]
     # nor does a small one beside it make a large one's faces bent
     large = moved(cube(), 0.0, 1e3)
     large[0][6, 2] += 1e-3
