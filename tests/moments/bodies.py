@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from gearwright.moments.faces import corner_lists
+
 
 def prism(corners, height, hole=None):
     """A prism of polygon faces over corners (n, 2) counter-clockwise; the walls are quads, the ends n-gons.
@@ -71,6 +73,12 @@ def reversed_faces(body):
 
 def moved(body, offset, scale=1.0):
     return body[0] * scale + offset, body[1]
+
+
+def nested_cubes():
+    """Vertices, indices and offsets of a cube with a void, and the numbers of their shells."""
+    vertices, faces = joined(cube(2.0), moved(reversed_faces(cube()), 0.5))
+    return vertices, *corner_lists(faces), np.repeat([0, 1], 6)
 
 
 def exact_moments(vertices, faces):

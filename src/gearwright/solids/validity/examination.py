@@ -9,19 +9,19 @@ from ...moments.planarity import FaceMeasures, face_measures
 from .doubles import doubled_faces
 from .edge_defects import EdgeDefects
 from .edges import EdgeUses, Flags, bounding_uses, edge_defects, edge_uses
-from .nesting import Nesting, nesting
+from .nesting import nesting
 from .report import PolyhedronValidity
 from .shells import Patches, patches, pinched_vertices, shells
 
 PLANARITY = 1e-6
-"""How far corners may be off their face's plane, in diagonals of the bounding box: what a file with seven
-digits leaves. Beyond it the face has no single answer."""
+"""How far corners may be off their face's plane, in diagonals of the box round what it is connected with: what a file
+with seven digits leaves. Beyond it the face has no single answer."""
 
 _ROUNDINGS = 4.0
 """How far corners may be off, in roundings of the file: √3 in space, and as much again for the plane itself."""
 
 _SPACINGS = 4.0
-"""The same in spacings of float64 at the largest coordinate."""
+"""The same in spacings of float64 at the largest coordinate of what it is connected with."""
 
 _SLIVER = 1e-12
 """A face counts as degenerate where its area is less than this × its extent squared."""
@@ -45,13 +45,12 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
     measures = face_measures(points, indices, offsets)
     nested = nesting(points, indices, offsets, parts, measures.areas)
     duplicates, back_to_back = doubled_faces(indices, offsets, found.first)
-    diagonal = _diagonal(nested)
-    planarity = max(
-        PLANARITY * diagonal,
-        _ROUNDINGS * float(np.ldexp(rounding, -exponent)),
-        _SPACINGS * float(np.spacing(np.ldexp(largest, -exponent))),
-    )
-    nonplanar = np.flatnonzero(measures.deviations > planarity)
+    accepted = _planarity(nested.boxes, float(np.ldexp(rounding, -exponent)))
+    off = np.flatnonzero(measures.deviations)
+    shares = measures.deviations[off] / accepted[parts.labels[off]]
+    nonplanar = off[shares > 1.0]
+    # of the face that comes closest to what is accepted, or exceeds it most
+    planarity = accepted[parts.labels[off[np.argmax(shares)]]] if len(off) else accepted.min(initial=np.inf)
     area = float(measures.areas.sum())
     sizes = np.bincount(parts.labels, minlength=len(parts.closed))
     firsts = np.unique(parts.labels, return_index=True)[1]
@@ -67,7 +66,7 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
         nonplanar_faces=nonplanar,
         deviations=np.ldexp(measures.deviations[nonplanar], exponent),
         deviation=float(np.ldexp(measures.deviations.max(initial=0.0), exponent)),
-        planarity=float(np.ldexp(planarity, exponent)),
+        planarity=float(np.ldexp(planarity, exponent)) if len(accepted) else 0.0,
         duplicates=duplicates,
         back_to_back=back_to_back,
         pinched_vertices=pinched_vertices(uses, len(vertices), indices, offsets),
@@ -81,11 +80,11 @@ def examine(vertices: Array, indices: Indices, offsets: Indices, rounding: float
     )
 
 
-def _diagonal(nested: Nesting) -> float:
-    """Diagonal of the box round all shells."""
-    if not len(nested.boxes):
-        return 0.0
-    return float(np.linalg.norm(nested.boxes[:, 1].max(axis=0) - nested.boxes[:, 0].min(axis=0)))
+def _planarity(boxes: Array, rounding: float) -> Array:
+    """How far corners may be off their faces' planes (s,), of shells with these boxes (s, 2, 3)."""
+    diagonals = np.linalg.norm(boxes[:, 1] - boxes[:, 0], axis=1)
+    spacings = np.spacing(np.abs(boxes).max(axis=(1, 2), initial=0.0))
+    return np.maximum(np.maximum(PLANARITY * diagonals, _ROUNDINGS * rounding), _SPACINGS * spacings)
 
 
 def _degenerate(indices: Indices, offsets: Indices, measures: FaceMeasures) -> Indices:

@@ -11,15 +11,16 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Array, Indices
-from ...moments.components import component_boxes, component_volumes, windings
+from ...moments.component_volumes import component_volumes
+from ...moments.components import component_boxes
+from ...moments.windings import SPACING
 from .edges import Flags
+from .insides import insides, shell_faces
 from .shells import Shells
 
-_WITNESSES = 12
-"""Points of a shell that are tried, one after another, where one lies on the other shell's surface."""
-
-_NO_VOLUME = 1e-14
-"""A volume counts as 0 where it is less than this × the area × the diagonal: rounding error."""
+_NO_VOLUME = 2.0**-54
+"""A volume counts as 0 where it is less than this × the area × the largest coordinate: thinner than the spacing of
+float64 there, so that the corners' own roundings may have made it."""
 
 
 class Nesting(NamedTuple):
@@ -65,12 +66,16 @@ def nesting(vertices: Array, indices: Indices, offsets: Indices, shells: Shells,
     boxes = component_boxes(vertices, indices, offsets, labels, len(closed))
     origins = boxes[:, 0] + (boxes[:, 1] - boxes[:, 0]) / 2.0
     volumes = component_volumes(vertices, indices, offsets, labels, origins)
-    least = _NO_VOLUME * np.bincount(labels, areas) * np.linalg.norm(boxes[:, 1] - boxes[:, 0], axis=1)
+    total = np.bincount(labels, areas, minlength=len(closed)).astype(float)
+    least = _NO_VOLUME * total * np.abs(boxes).max(axis=(1, 2), initial=0.0)
     volumes[~closed | (np.abs(volumes) <= least)] = 0.0
     near = _boxes_in_boxes(boxes, tight)
     holed = near[~tight[near[:, 1]]]
     pairs = near[tight[near[:, 1]]]
-    pairs = pairs[_inside(vertices, indices, offsets, labels, pairs, boxes)]
+    if len(pairs):
+        faces = shell_faces(vertices, indices, offsets, labels, len(closed))
+        inside, same = insides(faces, pairs, boxes, volumes, total)
+        pairs = np.concatenate([pairs[inside], _in_turn(pairs[same], pairs[inside], volumes)])
     depths = np.bincount(pairs[:, 0], minlength=len(closed))
     parents = np.full(len(closed), -1)
     parents[holed[:, 0]] = holed[:, 1]
@@ -82,7 +87,7 @@ def nesting(vertices: Array, indices: Indices, offsets: Indices, shells: Shells,
 
 
 def _boxes_in_boxes(boxes: Array, tight: Flags) -> Indices:
-    """Pairs (k, 2) of boxes (s, 2, 3), the first of a tight shell and within the second; equal ones both ways."""
+    """Pairs (k, 2) of shells, the first tight, its box (s, 2, 3) about within the other's; equal ones twice."""
     from ..box_tree import overlapping_pairs
 
     found = [np.empty((0, 2), np.int64)]
@@ -90,41 +95,28 @@ def _boxes_in_boxes(boxes: Array, tight: Flags) -> Indices:
         for near in overlapping_pairs(boxes):
             for pairs in (near, near[:, ::-1]):
                 one, other = boxes[pairs[:, 0]], boxes[pairs[:, 1]]
-                within = np.all((one[:, 0] >= other[:, 0]) & (one[:, 1] <= other[:, 1]), axis=1)
+                slack = SPACING * np.abs(other).max(axis=1)  # of turned bodies that are flush, each is rounded apart
+                within = np.all((one[:, 0] >= other[:, 0] - slack) & (one[:, 1] <= other[:, 1] + slack), axis=1)
                 found.append(pairs[within & tight[pairs[:, 0]]])
     return np.concatenate(found)
 
 
-def _inside(
-    vertices: Array, indices: Indices, offsets: Indices, labels: Indices, pairs: Indices, boxes: Array
-) -> Indices:
-    """Numbers (k,) of the pairs whose first shell lies in the second.
+def _in_turn(same: Indices, inside: Indices, volumes: Array) -> Indices:
+    """Of shells of one surface, as pairs (k, 2) both ways, those (m, 2) whose first counts as inside the second.
 
-    The winding number around one of its points decides, or around the next where that is on the surface. Where all
-    are, shells of one box are the same one twice: the later counts as inside the earlier.
+    inside   (j, 2) the pairs whose first lies in the second in earnest: they tell which sense must come first
+
+    Outward and inward ones take turns, so that a body may fill a void exactly, in whatever order they are written;
+    those of one sense come in the order of their numbers, those without volume last.
     """
-    first_faces = np.argsort(labels, kind="stable")
-    starts = np.searchsorted(labels[first_faces], np.arange(len(boxes) + 1))
-    found, open_ = [np.empty(0, np.int64)], np.arange(len(pairs))
-    for turn in range(_WITNESSES):
-        if not len(open_):
-            break
-        inner, outer = pairs[open_].T
-        chosen = starts[inner] + (turn * (starts[inner + 1] - starts[inner])) // _WITNESSES
-        points = _witnesses(vertices, indices, offsets, first_faces[chosen], turn)
-        winding, on = windings(points, outer, vertices, indices, offsets, labels)
-        found.append(open_[~on & (winding % 2 == 1)])
-        open_ = open_[on]
-    same = np.all(boxes[pairs[open_, 0]] == boxes[pairs[open_, 1]], axis=(1, 2))
-    found.append(open_[same & (pairs[open_, 0] > pairs[open_, 1])])
-    return np.concatenate(found)
-
-
-def _witnesses(vertices: Array, indices: Indices, offsets: Indices, faces: Indices, turn: int) -> Array:
-    """A point (k, 3) of each face: a corner, or next time the middle of a triangle or of another face's first side."""
-    first = vertices[indices[offsets[faces]]]
-    if turn % 2 == 0:
-        return first
-    second, third = vertices[indices[offsets[faces] + 1]], vertices[indices[offsets[faces] + 2]]
-    triangle = (np.diff(offsets)[faces] == 3)[:, None]
-    return np.where(triangle, first + ((second - first) + (third - first)) / 3.0, first + (second - first) / 2.0)
+    shells = np.unique(same)
+    if not len(shells):
+        return same
+    depths = np.bincount(inside[:, 0], minlength=len(volumes))
+    wanted = np.where(depths % 2 == 0, 1.0, -1.0)
+    late = (np.sign(volumes) != wanted) + 2 * (volumes == 0.0)
+    # how many of the same sense come before
+    alike = same[(late[same[:, 0]] == late[same[:, 1]]) & (same[:, 1] < same[:, 0])]
+    before = np.bincount(alike[:, 0], minlength=len(volumes))
+    rank = np.where(volumes == 0.0, 4 * len(volumes), 2 * before + late) * len(volumes) + np.arange(len(volumes))
+    return np.asarray(same[rank[same[:, 0]] > rank[same[:, 1]]])
