@@ -37,7 +37,7 @@ def face_measures(vertices: Array, indices: Indices, offsets: Indices) -> FaceMe
         corners = vertices[indices[offsets[f] : offsets[f + 1]]]
         local = corners - corners[0]
         local = local - local.mean(axis=0)
-        deviations[f] = np.abs(local @ np.linalg.svd(local)[2][-1]).max()
+        deviations[f] = np.abs(local @ np.linalg.svd(local, full_matrices=False)[2][-1]).max()
     return FaceMeasures(areas, extents, deviations, residual)
 
 
