@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
+from gearwright.errors import GeometryError
 from gearwright.solids.polyhedron import Polyhedron
 
 from ..moments.bodies import cube, exact_moments, joined, moved, reversed_faces
@@ -248,3 +249,13 @@ def test_a_body_far_away_lets_no_bent_face_pass():
     large = moved(cube(), 0.0, 1e3)
     large[0][6, 2] += 1e-3
     assert kinds(large, moved(cube(), [2e3, 0, 0], 1e-3)) == kinds(large) == []
+
+
+def test_coordinates_whose_fifth_powers_are_no_numbers_are_refused():
+    with pytest.raises(GeometryError, match=r"vertex 1 = .* up to 1e\+60 their fifth powers are numbers"):
+        Polyhedron(cube()[0] * 1e61, cube()[1])
+
+
+def test_a_face_of_many_corners_without_area_takes_memory_in_proportion():
+    vertices, faces = cube()
+    assert Polyhedron(vertices, [*faces, [1] * 50_000]).properties().volume == 1.0

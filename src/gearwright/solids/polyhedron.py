@@ -15,19 +15,17 @@ from ..arrays import Array, ArrayLike, Indices
 from ..errors import GeometryError, Problem
 from ..files import formats, reading
 from ..files.stl import writer as stl
-from ..moments.faces import Corners, Faces, corner_lists, face_vectors, fan_triangles, triangle_vectors
+from ..moments.faces import Corners, Faces, face_vectors, fan_triangles, triangle_vectors
 from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
+from .given_faces import corners_of, points_of
 from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections, overlapping
 from .shell import shell_properties
 from .validity.allowed import allowed_moments
 from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
-
-_MOST = 1e60
-"""Largest coordinate: fifth powers of lengths must be numbers."""
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -56,8 +54,8 @@ class Polyhedron:
         Whether the faces close is the question of `validity` and `properties`.
         """
         problems: list[Problem] = []
-        points = _points(vertices, problems)
-        indices, offsets = _corners(faces, len(points), problems)
+        points = points_of(vertices, problems)
+        indices, offsets = corners_of(faces, len(points), problems)
         if not 0.0 <= rounding < np.inf:
             problems.append(Problem(f"rounding = {rounding!r}", "a length is needed: how far coordinates may be off"))
         if problems:
@@ -245,54 +243,6 @@ class Polyhedron:
             "This polyhedron cannot be cut into triangles",
             [Problem(f"face {face} of {len(corners)} corners", "no corner sees all of it; split it into convex faces")],
         )
-
-
-def _points(vertices: ArrayLike, problems: list[Problem]) -> Array:
-    try:
-        points = np.array(vertices, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        problems.append(Problem("vertices", f"an array (n, 3) of numbers is needed ({error})"))
-        return np.empty((0, 3))
-    if points.size == 0:
-        points = points.reshape(0, 3)
-    if points.ndim != 2 or points.shape[1] != 3:
-        wanted = "an array (n, 3) is needed; further columns, as of weights, must be left out"
-        problems.append(Problem(f"vertices of shape {points.shape}", wanted))
-        return points.reshape(-1, 1)
-    bad = np.flatnonzero(np.any(np.isfinite(points) & (np.abs(points) > _MOST), axis=1))
-    if len(bad):
-        where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")
-        problems.append(Problem(where, f"up to {_MOST:g} their fifth powers are numbers; take another length unit"))
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
-    if len(bad):
-        where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")
-        problems.append(Problem(where, "coordinates must be finite; the file or the program that made it is at fault"))
-    return points
-
-
-def _corners(faces: Faces, count: int, problems: list[Problem]) -> tuple[Indices, Indices]:
-    try:
-        indices, offsets = corner_lists(faces)
-    except (TypeError, ValueError) as error:
-        problems.append(Problem("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})"))
-        return np.empty(0, np.int64), np.zeros(1, np.int64)
-    indices, offsets = indices.copy(), offsets.copy()  # the caller's arrays stay the caller's
-    short = np.flatnonzero(np.diff(offsets) < 3)
-    if len(short):
-        sizes = int(np.diff(offsets)[short[0]])
-        more = f" and {len(short) - 1} more" if len(short) > 1 else ""
-        problems.append(Problem(f"face {short[0]} of {sizes} corners{more}", "at least 3 are needed"))
-    bad = np.flatnonzero((indices < 0) | (indices >= count))
-    if len(bad):
-        face = int(np.searchsorted(offsets, bad[0], side="right")) - 1
-        more = f" and {len(bad) - 1} more" if len(bad) > 1 else ""
-        problems.append(
-            Problem(
-                f"vertex number {indices[bad[0]]} in face {face}{more}",
-                f"there are vertices 0 to {count - 1}; lists that count from 1 must be lowered by 1",
-            )
-        )
-    return indices, offsets
 
 
 def _affine_map(matrix: ArrayLike) -> Array:

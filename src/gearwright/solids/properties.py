@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -16,6 +15,7 @@ from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
 from ..placement import require_rotation
 from ..rotations import quaternion_of
+from .combining import combined_error, require_within
 from .extent import Extent
 from .principal import principal_axes
 from .sound_values import fixed_array, require_finite, sound_density
@@ -25,8 +25,6 @@ _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
 
 _RIGID = 1e-9
 """How far R Rᵀ may be from 1 for R to count as a rotation."""
-
-_ROUNDOFF = 2.0**-53
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -227,7 +225,7 @@ class MassProperties:
                     )
                 ],
             )
-        _require_within(self.bounding_box, other.bounding_box)
+        require_within(self.bounding_box, other.bounding_box)
         return self._combined(other, -1.0, partial(_remaining_extent, self, other))
 
     def _combined(self, other: MassProperties, sign: float, find_extent: Callable[[], Extent]) -> MassProperties:
@@ -246,7 +244,7 @@ class MassProperties:
             density=density,
             find_extent=find_extent,
             method=max(self.method, other.method, key=_METHODS.index),
-            error_bound=_combined_error(self, other, sign, volume, second),
+            error_bound=combined_error(self, other, sign, volume, second),
             evaluations=self.evaluations + other.evaluations,
             warnings=tuple(dict.fromkeys(self.warnings + other.warnings)),
         )
@@ -288,16 +286,6 @@ class MassProperties:
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
 
 
-def _require_within(whole: Array | None, part: Array | None) -> None:
-    if whole is None or part is None:
-        return
-    slack = _RIGID * float(np.max(whole[1] - whole[0]))
-    if np.any(part[0] < whole[0] - slack) or np.any(part[1] > whole[1] + slack):
-        ranges = [" × ".join(f"{low:.6g}…{high:.6g}" for low, high in box.T) for box in (part, whole)]
-        message = f"reaches beyond the body, {ranges[1]}: check the frames, the units and the order"
-        raise GeometryError("The body taken away is no part of the other", [Problem(f"its box, {ranges[0]}", message)])
-
-
 def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:
     return body.extent.moved(rotation, shift)
 
@@ -308,19 +296,3 @@ def _joint_extent(one: MassProperties, other: MassProperties) -> Extent:
 
 def _remaining_extent(whole: MassProperties, part: MassProperties) -> Extent:
     return whole.extent.without(part.extent)
-
-
-def _combined_error(a: MassProperties, b: MassProperties, sign: float, volume: float, second: Array) -> float:
-    """Bound for a sum or difference: absolute errors add, relative to what is left.
-
-    The second moments' are those of the parts and of V_a V_b/V |arm|², whose arm is as good as the centroids' digits.
-    """
-    arm, reach = float(np.linalg.norm(b.centroid - a.centroid)), max(np.abs(a.centroid).max(), np.abs(b.centroid).max())
-    reduced = abs(a.volume * b.volume / volume)
-    volumes = (a.error_bound * abs(a.volume) + b.error_bound * abs(b.volume)) / abs(volume)
-    spreads = [part.error_bound * abs(float(np.trace(part.central_second))) for part in (a, b)]
-    either = max(a.error_bound, b.error_bound) if sign > 0.0 else a.error_bound + b.error_bound
-    rounded = 4.0 * _ROUNDOFF * reach
-    arms = reduced * (either * arm**2 + 2.0 * arm * rounded + rounded**2)
-    left = abs(float(np.trace(second)))
-    return float(max(volumes, (sum(spreads) + arms) / left if left else math.inf)) + 8.0 * _ROUNDOFF
