@@ -67,7 +67,7 @@ def test_they_are_apart_or_touch_when_moved():
     assert 0.0 < deeper.depths[0] < 1e-15
 
 
-@pytest.mark.parametrize("exponent", [-1000, -300, 300, 900])
+@pytest.mark.parametrize("exponent", [-1000, -300, 300, 450])
 def test_scale_does_not_matter(exponent):
     found = pushed(move=lambda points: np.ldexp(points, exponent)).self_intersections()
     assert np.array_equal(found.pairs, pushed().self_intersections().pairs)

@@ -252,8 +252,12 @@ def test_a_body_far_away_lets_no_bent_face_pass():
 
 
 def test_coordinates_whose_fifth_powers_are_no_numbers_are_refused():
-    with pytest.raises(GeometryError, match=r"vertex 1 = .* up to 1e\+60 their fifth powers are numbers"):
-        Polyhedron(cube()[0] * 1e61, cube()[1])
+    large = Polyhedron(cube()[0] * 1e61, cube()[1])
+    for ask in (large.properties, lambda: large.shell_properties(1.0)):
+        with pytest.raises(GeometryError, match=r"coordinates up to 1e\+61: up to 1e\+60 their fifth powers"):
+            ask()
+    with pytest.raises(GeometryError, match=r"vertex 1 = .*: up to 1e\+150 products of two are numbers"):
+        Polyhedron(cube()[0] * 1e151, cube()[1])
 
 
 def test_a_face_of_many_corners_without_area_takes_memory_in_proportion():

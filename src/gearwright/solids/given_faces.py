@@ -8,8 +8,8 @@ from ..arrays import Array, ArrayLike, Indices
 from ..errors import Problem
 from ..moments.faces import Faces, corner_lists
 
-_MOST = 1e60
-"""Largest coordinate: fifth powers of lengths must be numbers."""
+_MOST = 1e150
+"""Largest coordinate: products of two must be numbers."""
 
 
 def points_of(vertices: ArrayLike, problems: list[Problem]) -> Array:
@@ -28,7 +28,7 @@ def points_of(vertices: ArrayLike, problems: list[Problem]) -> Array:
     bad = np.flatnonzero(np.any(np.isfinite(points) & (np.abs(points) > _MOST), axis=1))
     if len(bad):
         where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")
-        problems.append(Problem(where, f"up to {_MOST:g} their fifth powers are numbers; take another length unit"))
+        problems.append(Problem(where, f"up to {_MOST:g} products of two are numbers; take another length unit"))
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
         where = f"vertex {bad[0]} = {points[bad[0]].tolist()}" + (f" and {len(bad) - 1} more" if len(bad) > 1 else "")

@@ -27,6 +27,9 @@ from .validity.allowed import allowed_moments
 from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
 
+_MOST = 1e60
+"""Largest coordinate of a body with properties: fifth powers of lengths must be numbers."""
+
 
 @dataclass(frozen=True, eq=False, init=False)
 class Polyhedron:
@@ -168,6 +171,7 @@ class Polyhedron:
         body that can have such properties; ParameterError for a name that is no kind.
         """
         allowed = require_kinds(allow)
+        self._require_moderate()
         validity = self.validity()
         validity.raise_any(allowed)
         warnings = validity.warnings(allowed)
@@ -191,6 +195,14 @@ class Polyhedron:
         # what is allowed has no one answer that it could be off from
         return replace(found, error_bound=math.inf) if warnings else found
 
+    def _require_moderate(self) -> None:
+        largest = float(np.abs(bounding_box(self.vertices, self.indices)).max())
+        if largest > _MOST:
+            message = f"up to {_MOST:g} their fifth powers are numbers; take another length unit"
+            raise GeometryError(
+                "This polyhedron has no properties", [Problem(f"coordinates up to {largest:.3g}", message)]
+            )
+
     def _extent(self, area: float) -> Extent:
         return Extent(area, bounding_box(self.vertices, self.indices))
 
@@ -199,6 +211,7 @@ class Polyhedron:
 
         Raises ParameterError if the thickness is not positive; GeometryError if no face has an area or one is bent.
         """
+        self._require_moderate()
         if bent := self.validity().found.get("nonplanar"):
             raise GeometryError("This surface is no shell", [bent])
         return shell_properties(self.vertices, self.indices, self.offsets, thickness, density)

@@ -26,6 +26,9 @@ _METHODS: tuple[Method, ...] = ("exact", "quadrature", "polyhedron")
 _RIGID = 1e-9
 """How far R Rᵀ may be from 1 for R to count as a rotation."""
 
+_ROUNDED = 4e-15
+"""Up to which that is rounding; what is beyond stretches the body."""
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MassProperties:
@@ -190,6 +193,7 @@ class MassProperties:
         """
         matrix, shift = require_rotation(rotation, _RIGID), fixed_array(translation, (3,))
         strain = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
+        strain = strain if strain > _ROUNDED else 0.0
         return replace(
             self,
             centroid=matrix @ self.centroid + shift,
