@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from itertools import chain, pairwise
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -18,7 +19,10 @@ from ..arrays import Array
 from . import compensated
 
 CHUNK = 1 << 15
-"""Faces a chunk: about 0.1 ms of work, many times what handing it to a thread costs."""
+"""Faces a chunk: about 0.1 ms of work, many times what a call costs."""
+
+_MANY = 32
+"""Chunks a thread from which on they are handed out in more than one lot."""
 
 _Part = TypeVar("_Part")
 
@@ -56,10 +60,18 @@ def in_chunks(part: Callable[[int, int], _Part], count: int, threads: int | None
     threads   None for as many as there are processors for this process
     """
     starts = range(0, count, CHUNK)
-    if len(starts) <= 1 or threads == 1:
-        return [part(start, min(start + CHUNK, count)) for start in starts]
-    pool = _pool(threads or processors())
-    return list(pool.map(lambda start: part(start, min(start + CHUNK, count)), starts))
+    threads = min(threads or processors(), len(starts))
+
+    def run(first: int, after: int) -> list[_Part]:
+        return [part(start, min(start + CHUNK, count)) for start in starts[first:after]]
+
+    if threads <= 1:
+        return run(0, len(starts))
+    # one lot a thread, the caller's own among them; of very many chunks several, so that no thread waits for long
+    lots = threads if len(starts) < _MANY * threads else 4 * threads
+    bounds = [len(starts) * lot // lots for lot in range(lots + 1)]
+    others = [_pool(threads - 1).submit(run, first, after) for first, after in pairwise(bounds[1:])]
+    return [*run(0, bounds[1]), *chain.from_iterable(other.result() for other in others)]
 
 
 def processors() -> int:
