@@ -204,12 +204,13 @@ def _apart_and_together(
     if len(bodies) == 1:
         together = next(iter(bodies.values()))
         return bodies, together, remarks + list(together.warnings)
-    summed = reduce(MassProperties.__add__, bodies.values())
     if not model.smooth and len(set(densities.values())) == 1:
         # as one, so that bodies in one another are seen
         summed = _properties(model.polyhedron, next(iter(densities.values())), unit, question)
-    elif not question.of_shells:
-        model.polyhedron.validity().raise_any(question.allow)
+    else:
+        if not question.of_shells:
+            model.polyhedron.validity().raise_any(question.allow)
+        summed = reduce(MassProperties.__add__, bodies.values())
     extents = [one.extent for one in bodies.values()]
     whole = reduce(Extent.joined, extents)._replace(area=sum(one.area or 0.0 for one in extents))
     together = replace(summed, find_extent=partial(Extent, *whole))

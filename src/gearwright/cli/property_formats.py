@@ -16,7 +16,7 @@ from ..solids.properties import MassProperties
 from .built import Units
 from .json_output import json_line
 from .measuring import Measured, Question
-from .property_tables import bodies_list, properties_note, properties_table
+from .property_tables import COMPONENTS, bodies_list, properties_note, properties_table
 from .tables import shown
 from .views import PRINCIPAL_AXES, View
 
@@ -24,7 +24,7 @@ _SIDE_BY_SIDE = 4
 """Bodies up to which tables have a column for each."""
 
 _SIZES = ("volume", "mass", "area", "centroid_x", "centroid_y", "centroid_z")
-_TENSOR = ("ixx", "iyy", "izz", "ixy", "iyz", "izx")
+_TENSOR = tuple(name.lower() for name in COMPONENTS)
 _MOMENTS = ("principal_moment_1", "principal_moment_2", "principal_moment_3")
 _COLUMNS = [
     *("file", "body", "length_unit", "mass_unit", *_SIZES),
@@ -94,14 +94,11 @@ def _rows(found: Measured, view: View) -> str:
 
 def _cells(file: str, name: str, body: MassProperties, units: Units, view: View) -> list[Any]:
     turned = view.turned(body)
-    tensors = [tensor[i, j] for tensor in (turned.central_inertia, turned.inertia) for i, j in _ORDER]
+    tensors = [tensor[i, j] for tensor in (turned.central_inertia, turned.inertia) for i, j in COMPONENTS.values()]
     volume = body.volume if units.has_volume else ""
     area = "" if body.area is None else body.area
     sizes = [volume, body.mass, area, *body.centroid, *tensors, *body.principal_moments, body.error_bound]
     return [file, name, units.length, units.mass, *(one if isinstance(one, str) else float(one) for one in sizes)]
-
-
-_ORDER = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 def _row(cells: list[Any]) -> str:

@@ -18,7 +18,8 @@ from .views import FILE_AXES, View
 PLAIN = View()
 
 _NOISE = 1e-14  # no more than some roundings of the largest value
-_COMPONENTS = {"Ixx": (0, 0), "Iyy": (1, 1), "Izz": (2, 2), "Ixy": (0, 1), "Iyz": (1, 2), "Izx": (2, 0)}
+COMPONENTS = {"Ixx": (0, 0), "Iyy": (1, 1), "Izz": (2, 2), "Ixy": (0, 1), "Iyz": (1, 2), "Izx": (2, 0)}
+"""Components of tensors in the order in which they are shown."""
 
 
 def properties_table(
@@ -93,7 +94,7 @@ def _tensors(properties: MassProperties, unit: str, view: View) -> dict[str, tup
     rows: dict[str, tuple[str, str]] = {}
     for about, tensor in tensors.items():
         clean = _without_noise(tensor, float(np.abs(tensor).max()))
-        rows |= {f"{name} about the {about}": (unit, number(clean[i, j])) for name, (i, j) in _COMPONENTS.items()}
+        rows |= {f"{name} about the {about}": (unit, number(clean[i, j])) for name, (i, j) in COMPONENTS.items()}
     for index, value in enumerate(properties.principal_moments, start=1):
         rows[f"principal moment {index}"] = (unit, number(value))
     return rows

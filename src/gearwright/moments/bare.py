@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
 from ..arrays import Array, ArrayLike, numbers_in
 from ..errors import GeometryError, Problem
-from .faces import Corners, Faces, corner_lists
-from .indexed import Polygons, Triangles, middle, require_corners, unsigned
+from .faces import Faces, corner_lists
+from .indexed import Polygons, Triangles, middle, refuse_arrays, require_corners, unsigned
 from .matrix import inertia_tensor
 from .polyhedron import AMPLIFICATION_LIMIT, CLOSED, TINY, settled
 from .summation import CHUNK
@@ -34,18 +34,22 @@ def mass_properties(
     mass = _density(density)
     points = _points(vertices)
     if threads is not None and threads not in range(1, 1025):
-        _refuse(f"threads = {threads!r}", "1 to 1024, or None, is needed")
+        refuse_arrays(f"threads = {threads!r}", "1 to 1024, or None, is needed")
     numbers = _native(faces)
     if numbers is not None and numbers.shape[1] == 3:
         found = _few(points, numbers) if len(numbers) <= CHUNK else None
         if found is None:
             source = Triangles(vertices=points, triangles=numbers, threads=threads)
             found = _many(source, numbers.reshape(-1))
+    elif numbers is not None:
+        count, corners = numbers.shape
+        indices, offsets = numbers.reshape(-1), np.arange(count + 1) * corners
+        found = _many(Polygons(vertices=points, indices=indices, offsets=offsets, threads=threads), indices)
     else:
         try:
-            indices, offsets = _corners(faces if numbers is None else numbers)
+            indices, offsets = corner_lists(faces)
         except (TypeError, ValueError) as error:
-            _refuse("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})")
+            refuse_arrays("faces", f"an integer array (m, k) or lists of vertex numbers are needed ({error})")
         found = _many(Polygons(vertices=points, indices=indices, offsets=offsets, threads=threads), indices)
     volume, centroid, inertia = found
     return mass * volume, centroid, mass * inertia
@@ -68,7 +72,7 @@ def _points(vertices: ArrayLike) -> Array:
     except (TypeError, ValueError):
         given = points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != 3:
-        _refuse(f"vertices of shape {given.shape}", "an array (n, 3) of numbers is needed")
+        refuse_arrays(f"vertices of shape {given.shape}", "an array (n, 3) of numbers is needed")
     return points
 
 
@@ -78,13 +82,6 @@ def _native(faces: object) -> Any:
         return None
     kept = faces.dtype in (np.int32, np.int64) and faces.dtype.isnative
     return np.ascontiguousarray(np.asarray(faces), None if kept else np.int64)
-
-
-def _corners(faces: Faces) -> Corners:
-    if isinstance(faces, np.ndarray) and faces.ndim == 2 and faces.dtype.kind == "i":
-        count, corners = faces.shape
-        return Corners(faces.reshape(-1), np.arange(count + 1) * corners)
-    return corner_lists(faces)
 
 
 def _few(points: Array, triangles: Any) -> tuple[float, Array, Array] | None:
@@ -111,7 +108,7 @@ def _many(source: Triangles | Polygons, numbers: Any) -> tuple[float, Array, Arr
         _refuse_open(source.vertices, numbers, moments.closure, body.volume)
     if not (np.all(np.isfinite(inertia)) and np.all(np.isfinite(body.centroid)) and np.trace(inertia) > 0.0):
         size = float(np.max(np.abs(source.box)))
-        _refuse(f"coordinates up to {size:.3g}", "their fifth powers are no numbers; take another length unit")
+        refuse_arrays(f"coordinates up to {size:.3g}", "their fifth powers are no numbers; take another length unit")
     return body.volume, body.centroid, inertia
 
 
@@ -119,7 +116,7 @@ def _refuse_open(points: Array, numbers: Any, closure: float, volume: float) -> 
     used = np.unique(numbers)
     bad = used[~np.isfinite(points[used]).all(axis=1)]
     if len(bad):
-        _refuse(f"vertex {bad[0]} = {points[bad[0]].tolist()}", "coordinates must be finite")
+        refuse_arrays(f"vertex {bad[0]} = {points[bad[0]].tolist()}", "coordinates must be finite")
     raise GeometryError(
         "These faces do not bound a solid",
         [
@@ -130,7 +127,3 @@ def _refuse_open(points: Array, numbers: Any, closure: float, volume: float) -> 
             )
         ],
     )
-
-
-def _refuse(subject: str, message: str) -> NoReturn:
-    raise GeometryError("These arrays are not a polyhedron", [Problem(subject, message)])

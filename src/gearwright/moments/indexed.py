@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, NoReturn, Protocol
 
 import numpy as np
 
@@ -98,10 +98,7 @@ class Polygons:
     def _require(self, face: int) -> None:
         first, after = int(self.offsets[face]), int(self.offsets[face + 1])
         if not 0 <= first <= after <= len(self.indices):
-            raise GeometryError(
-                "These arrays are not a polyhedron",
-                [Problem(f"offsets {first}, {after} of face {face}", f"0 to {len(self.indices)}, rising, are needed")],
-            )
+            refuse_arrays(f"offsets {first}, {after} of face {face}", f"0 to {len(self.indices)}, rising, are needed")
         require_corners(self.indices[first:after], face, len(self.vertices))
 
 
@@ -113,18 +110,18 @@ def unsigned(triangles: Any) -> Any:
 def require_corners(corners: Any, face: int, count: int) -> None:
     """Refuses a face that has fewer than three corners or names a vertex that is not there. Raises GeometryError."""
     if count == 0:
-        raise GeometryError("These arrays are not a polyhedron", [Problem(f"face {face}", "there are no vertices")])
+        refuse_arrays(f"face {face}", "there are no vertices")
     beyond = [int(number) for number in corners if not 0 <= number < count]
     if beyond:
         message = f"vertex numbers go from 0 to {count - 1}; lists that count from 1 must be lowered by 1"
-        raise GeometryError(
-            "These arrays are not a polyhedron", [Problem(f"vertex number {beyond[0]} in face {face}", message)]
-        )
+        refuse_arrays(f"vertex number {beyond[0]} in face {face}", message)
     if len(corners) < 3:
-        raise GeometryError(
-            "These arrays are not a polyhedron",
-            [Problem(f"face {face} of {len(corners)} corners", "at least 3 are needed")],
-        )
+        refuse_arrays(f"face {face} of {len(corners)} corners", "at least 3 are needed")
+
+
+def refuse_arrays(subject: str, message: str) -> NoReturn:
+    """Raises GeometryError: what is wrong with arrays of vertices and faces."""
+    raise GeometryError("These arrays are not a polyhedron", [Problem(subject, message)])
 
 
 def _sums(
@@ -169,6 +166,11 @@ def middle(vertices: Array, indices: Any) -> Array:
     points = vertices[few[(few >= 0) & (few < len(vertices))]]
     if not len(points):
         return np.zeros(3)
+    return middle_of(points)
+
+
+def middle_of(points: Array) -> Array:
+    """The middle (3,) of the box of points (n, 3), at least one."""
     least, most = points.min(axis=0), points.max(axis=0)
     with np.errstate(invalid="ignore"):  # coordinates that are not finite are refused later
         return np.asarray(least + (most - least) / 2.0)

@@ -6,7 +6,7 @@ They are asked for in chunks, so that files of any size take the same memory, an
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
+from .indexed import middle_of
 from .polyhedron import PolyhedronMoments, settled
 from .summation import Sums, in_chunks, merged, nothing
 
@@ -73,9 +74,7 @@ class Soup:
     @cached_property
     def middle(self) -> Array:
         """The middle (3,) of a few triangles."""
-        least, most = (extreme(self._few, axis=0) for extreme in (np.min, np.max))
-        with np.errstate(invalid="ignore"):  # coordinates that are not finite are refused later
-            return np.asarray(least + (most - least) / 2.0)
+        return middle_of(self._few)
 
     @cached_property
     def box(self) -> Array:
@@ -97,7 +96,7 @@ class Soup:
         return merged(in_chunks(part, self.count, self.threads))
 
     def scaled(self, factor: float) -> Soup:
-        return Soup(corners=self.corners, count=self.count, factor=self.factor * factor, threads=self.threads)
+        return replace(self, factor=self.factor * factor)
 
     def _scaled(self, start: int, stop: int) -> Corners:
         corners = self.corners(start, stop)

@@ -157,6 +157,10 @@ class Polyhedron:
         return replace(found, bodies=overlapping(found.pairs, self.validity().body_labels))
 
     @cached_property
+    def _box(self) -> Array:
+        return bounding_box(self.vertices, self.indices)
+
+    @cached_property
     def _moments(self) -> PolyhedronMoments:
         return polyhedron_moments(self.vertices, self.indices, self.offsets)
 
@@ -187,7 +191,7 @@ class Polyhedron:
             said = PROBLEMS["inward" if body.volume < 0.0 else "flat"].message
             raise GeometryError("This polyhedron does not bound a solid", [Problem(given, said)])
         found = MassProperties.from_moments(
-            body, density=density, find_extent=partial(self._extent, area), warnings=warnings
+            body, density=density, find_extent=partial(Extent, area, self._box), warnings=warnings
         )
         impossible = found.validity()
         if impossible:
@@ -196,15 +200,12 @@ class Polyhedron:
         return replace(found, error_bound=math.inf) if warnings else found
 
     def _require_moderate(self) -> None:
-        largest = float(np.abs(bounding_box(self.vertices, self.indices)).max())
+        largest = float(np.abs(self._box).max())
         if largest > _MOST:
             message = f"up to {_MOST:g} their fifth powers are numbers; take another length unit"
             raise GeometryError(
                 "This polyhedron has no properties", [Problem(f"coordinates up to {largest:.3g}", message)]
             )
-
-    def _extent(self, area: float) -> Extent:
-        return Extent(area, bounding_box(self.vertices, self.indices))
 
     def shell_properties(self, thickness: float, density: float = 1.0) -> MassProperties:
         """Of a thin sheet along the faces, to first order in its thickness; they need not close.

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..files.stl.records import Records, records
 from ..moments.polyhedron import CLOSED
@@ -51,8 +50,4 @@ def soup_properties(source: Records, soup: Soup, look: Look, density: float) -> 
         raise GeometryError(
             f"{source.path} does not bound a solid", [Problem(f"volume {found.body.volume:.6g}", message)]
         )
-    return MassProperties.from_moments(found.body, density=density, find_extent=partial(_extent, found.area, look.box))
-
-
-def _extent(area: float, box: Array) -> Extent:
-    return Extent(area, box)
+    return MassProperties.from_moments(found.body, density=density, find_extent=partial(Extent, found.area, look.box))
