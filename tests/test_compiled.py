@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
 INNER = "from gearwright.compiled import compiled\n@compiled\ndef inner(x):\n    return x + {}\n"
 OUTER = """
 from gearwright.compiled import compiled
@@ -24,17 +26,23 @@ with c.telling(said.append):
 """
 
 
-def run(folder):
-    done = subprocess.run([sys.executable, "-c", RUN, str(folder)], capture_output=True, text=True, check=True)
-    return done.stdout.strip()
-
-
-def test_a_change_in_another_file_is_compiled_anew(tmp_path):
+@pytest.fixture
+def made(tmp_path):
+    """A package of two functions, the outer of which calls the inner."""
     made = tmp_path / "made"
     made.mkdir()
     (made / "__init__.py").touch()
     (made / "outer.py").write_text(OUTER)
     (made / "inner.py").write_text(INNER.format(10))
+    return made
+
+
+def run(folder):
+    done = subprocess.run([sys.executable, "-c", RUN, str(folder)], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+def test_a_change_in_another_file_is_compiled_anew(tmp_path, made):
     # told of each of the two functions, whole number and fraction: the inner one while the outer is compiled
     assert run(tmp_path) == "11 12.5 [True, False, True, False]"
     assert run(tmp_path) == "11 12.5 []"  # kept
@@ -42,12 +50,7 @@ def test_a_change_in_another_file_is_compiled_anew(tmp_path):
     assert run(tmp_path).startswith("301 302.5 [True, False")
 
 
-def test_without_a_folder_to_keep_it_in_it_works(tmp_path):
-    made = tmp_path / "made"
-    made.mkdir()
-    (made / "__init__.py").touch()
-    (made / "outer.py").write_text(OUTER)
-    (made / "inner.py").write_text(INNER.format(10))
+def test_without_a_folder_to_keep_it_in_it_works(tmp_path, made):
     nowhere = f"import os; os.environ['NUMBA_CACHE_DIR'] = {str(tmp_path / 'file' / 'x')!r}\n"
     (tmp_path / "file").touch()
     done = subprocess.run(

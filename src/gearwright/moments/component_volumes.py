@@ -1,6 +1,6 @@
 """Signed volumes of the parts of a polyhedron's boundary: their signs are right however thin the parts are.
 
-Sources: Dekker, Numer. Math. 18 (1971) (products and sums of pairs); the fans are those of `polyhedron`.
+The fans are those of `polyhedron`.
 """
 
 from __future__ import annotations
@@ -10,17 +10,12 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
 from ..compiled import compiled
-from .kernels.sums import two_sum
+from .kernels.pairs import Pair, two_product, two_sum
 
 _ROUNDOFF = 2.0**-53
 
 _TERM_ROUNDINGS = 16.0
 """Roundings in a triangle's term, of its magnitude each; the sum adds one for every triangle before it."""
-
-_SPLITTER = 2.0**27 + 1.0
-
-Pair = tuple[float, float]
-"""A number as high and low part, |low| ≤ ulp(high)/2."""
 
 
 def component_volumes(vertices: Array, indices: Indices, offsets: Indices, labels: Indices, origins: Array) -> Array:
@@ -100,9 +95,5 @@ def _sum(a: Pair, b: Pair) -> Pair:
 
 @compiled
 def _product(a: Pair, b: Pair) -> Pair:
-    high = a[0] * b[0]
-    a_part, b_part = a[0] * _SPLITTER, b[0] * _SPLITTER
-    a_head, b_head = a_part - (a_part - a[0]), b_part - (b_part - b[0])
-    a_tail, b_tail = a[0] - a_head, b[0] - b_head
-    low = ((a_head * b_head - high) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail
+    high, low = two_product(a[0], b[0])
     return two_sum(high, low + (a[0] * b[1] + a[1] * b[0]))

@@ -26,6 +26,17 @@ def moment_matrix(volume: ArrayLike, first: ArrayLike, second: ArrayLike) -> Arr
     return matrix
 
 
+LEFT, RIGHT = np.array([0, 1, 2, 0, 1, 2]), np.array([0, 1, 2, 1, 2, 0])
+"""Rows and columns of the six components xx yy zz xy yz zx."""
+
+
+def symmetric(components: Array) -> Array:
+    """The symmetric tensor (3, 3) of its components xx yy zz xy yz zx (6,)."""
+    tensor = np.empty((3, 3))
+    tensor[LEFT, RIGHT] = tensor[RIGHT, LEFT] = components
+    return tensor
+
+
 def affine(linear: ArrayLike, translation: ArrayLike) -> Array:
     """T = [1 0; t A] of the map r → A r + t, for A (d, k) and t (d,)."""
     linear = np.asarray(linear, float)

@@ -25,7 +25,7 @@ import numpy as np
 from ..arrays import Array, Indices
 from .body import BodyMoments
 from .indexed import Polygons, Source, Triangles, middle
-from .matrix import moment_matrix
+from .matrix import moment_matrix, symmetric
 from .summation import Sums
 
 AMPLIFICATION_LIMIT = 8.0
@@ -41,8 +41,6 @@ _PLAIN = 48.0 * _ROUNDOFF
 TINY = 1e-280
 """Sums below this may have lost digits to underflow: lengths are scaled first."""
 
-_LEFT = np.array([0, 1, 2, 0, 1, 2])
-_RIGHT = np.array([0, 1, 2, 1, 2, 0])
 _FACTORS = np.array([1 / 6] + 3 * [1 / 24] + 6 * [1 / 120])
 
 
@@ -101,7 +99,12 @@ def settled(source: Source, origin: Array, found: Sums) -> PolyhedronMoments:
         amplification = _amplification(body, magnitudes)
         error_bound = 16.0 * _ROUNDOFF * (1.0 + 64.0 * _ROUNDOFF * amplification)
     return PolyhedronMoments(
-        body=BodyMoments(origin=origin, matrix=_matrix(body), method="polyhedron", error_bound=error_bound),
+        body=BodyMoments(
+            origin=origin,
+            matrix=moment_matrix(body[0], body[1:4], symmetric(body[4:])),
+            method="polyhedron",
+            error_bound=error_bound,
+        ),
         area=float(sums[13]) / 2.0,
         closure=float(np.linalg.norm(sums[10:13]) / sums[13]) if sums[13] else 0.0,
         amplification=amplification,
@@ -135,9 +138,3 @@ def _centroid_within(box: Array, origin: Array, sums: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         centroid = origin + sums[1:4] / sums[0]
     return np.clip(np.where(np.isfinite(centroid), centroid, origin), box[0], box[1])
-
-
-def _matrix(sums: Array) -> Array:
-    second = np.empty((3, 3))
-    second[_LEFT, _RIGHT] = second[_RIGHT, _LEFT] = sums[4:]
-    return moment_matrix(sums[0], sums[1:4], second)

@@ -7,6 +7,7 @@ import numpy as np
 from ..arrays import Array, Indices
 from .compensated import compensated_sum
 from .faces import face_vectors, fan_triangles
+from .matrix import LEFT, RIGHT
 
 _CYCLIC = ((1, 2, 0), (2, 0, 1), (0, 1, 2))
 
@@ -20,7 +21,7 @@ def reference_sums(vertices: Array, indices: Indices, offsets: Indices, origin: 
     s = a + b + c
     n = np.cross(u, v)
     d = np.sum(a * n, axis=1)
-    second = np.sum([p[:, [0, 1, 2, 0, 1, 2]] * p[:, [0, 1, 2, 1, 2, 0]] for p in (a, b, c, s)], axis=0)
+    second = np.sum([p[:, LEFT] * p[:, RIGHT] for p in (a, b, c, s)], axis=0)
     products = sum(np.abs(u[:, [i, j]] * v[:, [j, i]]).sum(axis=1) * np.abs(a[:, k]) for i, j, k in _CYCLIC)
     rows = [d, *(d * s.T), *(d * second.T), *n.T, 0.0 * d, products, products * second[:, :3].sum(axis=1)]
     sums = compensated_sum(np.array(rows))

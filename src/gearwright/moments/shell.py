@@ -19,13 +19,11 @@ from ..arrays import Array, Indices
 from .compensated import RunningSum
 from .faces import face_vectors, fan_triangles, triangle_vectors
 from .indexed import bounding_box
-from .matrix import central_second, moment_matrix
+from .matrix import LEFT, RIGHT, central_second, moment_matrix, symmetric
 
 _ROUNDOFF = 2.0**-53
 _BLOCK = 8192
 _ROWS = 10  # rows of the sums: A, then A s, then A (…) for xx yy zz xy yz zx
-_LEFT = np.array([0, 1, 2, 0, 1, 2])
-_RIGHT = np.array([0, 1, 2, 1, 2, 0])
 _FACTORS = np.array([1.0] + 3 * [1 / 3] + 6 * [1 / 12])
 
 
@@ -104,12 +102,10 @@ def _sums(points: Array, triangles: Indices, areas: Array) -> tuple[float, Array
         terms = np.empty((_ROWS, len(block)))
         terms[0] = 1.0
         terms[1:4] = s
-        terms[4:] = sum(p[_LEFT] * p[_RIGHT] for p in (a, b, c, s))
+        terms[4:] = sum(p[LEFT] * p[RIGHT] for p in (a, b, c, s))
         total.take(terms * areas[start : start + _BLOCK])
     sums = total.total() * _FACTORS
-    second = np.empty((3, 3))
-    second[_LEFT, _RIGHT] = second[_RIGHT, _LEFT] = sums[4:]
-    return float(sums[0]), sums[1:4], second
+    return float(sums[0]), sums[1:4], symmetric(sums[4:])
 
 
 def _error_bound(points: Array, triangles: Indices, uncertain: Array, area: float, spread: float) -> float:

@@ -9,22 +9,16 @@ Source: Shewchuk, Discrete Comput. Geom. 18 (1997): error bounds (§4), growing 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import cast
-
 import numpy as np
 
 from ..arrays import Array
 from ..compiled import compiled
-from ..moments import compensated
+from ..moments.kernels.pairs import two_product, two_sum
 
 _TURN_BOUND = (3.0 + 16.0 * 2.0**-53) * 2.0**-53
 _SIDE_BOUND = (7.0 + 56.0 * 2.0**-53) * 2.0**-53
-_SPLITTER = 2.0**27 + 1.0
 _MOST_TERMS = 6 * 8 * 4
 """Products of a determinant, parts of each product's factors, parts of each product of three."""
-
-_two_sum = cast("Callable[[float, float], tuple[float, float]]", compiled(compensated.two_sum))
 
 
 @compiled
@@ -48,7 +42,7 @@ def turn(points: Array, i: int, j: int, k: int, axis: int) -> int:
         for column in range(2):
             across = (axis + 1 + column) % 3
             point = i if row == 0 else j
-            high[row, column], low[row, column] = _two_sum(points[point, across], -points[k, across])
+            high[row, column], low[row, column] = two_sum(points[point, across], -points[k, across])
     return _determinant_sign(high, low)
 
 
@@ -75,9 +69,9 @@ def side(points: Array, i: int, j: int, k: int, m: int) -> int:
         return certain
     high, low = np.empty((3, 3)), np.empty((3, 3))
     for column in range(3):
-        high[0, column], low[0, column] = _two_sum(points[i, column], -points[m, column])
-        high[1, column], low[1, column] = _two_sum(points[j, column], -points[m, column])
-        high[2, column], low[2, column] = _two_sum(points[k, column], -points[m, column])
+        high[0, column], low[0, column] = two_sum(points[i, column], -points[m, column])
+        high[1, column], low[1, column] = two_sum(points[j, column], -points[m, column])
+        high[2, column], low[2, column] = two_sum(points[k, column], -points[m, column])
     return -_determinant_sign(high, low)
 
 
@@ -105,11 +99,11 @@ def _add_product(terms: Array, count: int, factor: float, high: Array, low: Arra
         for b in (high[1, j], low[1, j]):
             if a == 0.0 or b == 0.0:
                 continue
-            for part in _two_product(factor * a, b):
+            for part in two_product(factor * a, b):
                 for c in (high[2, k], low[2, k]):
                     if part == 0.0 or c == 0.0:
                         continue
-                    for value in _two_product(part, c):
+                    for value in two_product(part, c):
                         count = _grown(terms, count, value)
     return count
 
@@ -119,7 +113,7 @@ def _grown(terms: Array, count: int, value: float) -> int:
     """Adds a value to an expansion, parts that do not overlap in rising order; gives its length without zeros."""
     kept = 0
     for n in range(count):
-        value, rest = _two_sum(value, terms[n])
+        value, rest = two_sum(value, terms[n])
         if rest != 0.0:
             terms[kept] = rest
             kept += 1
@@ -127,13 +121,3 @@ def _grown(terms: Array, count: int, value: float) -> int:
         terms[kept] = value
         kept += 1
     return kept
-
-
-@compiled
-def _two_product(a: float, b: float) -> tuple[float, float]:
-    """a · b as rounded product and its rounding error (Dekker, Numer. Math. 18 (1971))."""
-    wide_a, wide_b = _SPLITTER * a, _SPLITTER * b
-    a_high, b_high = wide_a - (wide_a - a), wide_b - (wide_b - b)
-    product = a * b
-    rest = product - a_high * b_high - (a - a_high) * b_high - a_high * (b - b_high)
-    return product, (a - a_high) * (b - b_high) - rest

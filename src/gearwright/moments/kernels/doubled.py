@@ -15,7 +15,8 @@ from numba.extending import intrinsic
 from ...arrays import Array
 from ...compiled import compiled
 from .lanes import Lanes, Vector, adding
-from .sums import LANES, two_sum
+from .pairs import two_sum
+from .sums import LANES
 
 _ROWS = 10
 

@@ -16,12 +16,9 @@ added in plain arithmetic, blocks to each other without loss. So it does not mat
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, cast
-
 from ...arrays import Array
 from ...compiled import compiled
-from .. import compensated
+from .pairs import two_sum
 
 ROWS = 16
 RUN = 32
@@ -32,8 +29,6 @@ LANES = 4
 
 BLOCK = LANES * RUN
 """Triangles of a run in each of four lanes."""
-
-two_sum = cast("Callable[[Any, Any], tuple[float, float]]", compiled(compensated.two_sum))
 
 
 @compiled
