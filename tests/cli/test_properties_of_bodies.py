@@ -237,14 +237,14 @@ def test_allowed_problems_are_answered_with_a_warning(run, monkeypatch):
 
 
 def test_a_large_binary_stl_file_is_read_in_passing(run, tmp_path, monkeypatch):
+    from gearwright import Polyhedron
     from gearwright.cli import measuring
-    from gearwright.files.stl import writer as stl
 
     from .. import shapes
 
     vertices, triangles = shapes.torus(40, 30)
     path = tmp_path / "torus.stl"
-    stl.write(path, vertices, triangles, length_unit="in")
+    Polyhedron(vertices, triangles).save(path, length_unit="in")
     loaded = document(run, path, "--density", "1000")
     monkeypatch.setattr(measuring, "STREAMED", 1000)
     outcome = run("properties", path, "--json", "--density", "1000")
@@ -254,7 +254,7 @@ def test_a_large_binary_stl_file_is_read_in_passing(run, tmp_path, monkeypatch):
     for key in ("mass", "volume", "area"):
         assert found[key] == pytest.approx(loaded[key], rel=1e-14)
     assert np.allclose(found["central_inertia"], loaded["central_inertia"], rtol=1e-13, atol=1e-15)
-    stl.write(path, vertices, triangles[1:], length_unit="in")
+    Polyhedron(vertices, triangles[1:]).save(path, length_unit="in")
     assert "closure residual" in refusal(run, path)
     assert "it says itself that lengths are in in" in refusal(run, path, "--length-unit", "mm")
     # what has to be loaded is

@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 
 from gearwright import disk
 from gearwright.errors import FileError, MachineError
+from gearwright.files.assembly import Assembly, Part
 from gearwright.files.stl import reader, writer
+from gearwright.solids.polyhedron import Polyhedron
 
 VERTICES = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
 TRIANGLES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
@@ -51,9 +53,14 @@ def assert_same_body(found, vertices=VERTICES, triangles=TRIANGLES):
     assert len(np.unique(found[0], axis=0)) == len(found[0])
 
 
+def save(path, vertices, triangles, *, length_unit="mm"):
+    part = Part(name="part", shape=Polyhedron(vertices, triangles))
+    writer.write(path, Assembly(name="part", parts=(part,), length_unit=length_unit))
+
+
 def test_written_and_read(tmp_path):
     path = tmp_path / "part.stl"
-    writer.write(path, VERTICES, TRIANGLES, length_unit="in")
+    save(path, VERTICES, TRIANGLES, length_unit="in")
     assert_same_body(read(path))
     data = path.read_bytes()
     assert len(data) == 84 + 50 * 4
@@ -71,7 +78,7 @@ def test_any_triangles_survive_in_single_precision(tmp_path, seed, n, m):
     vertices[0] = [-5, -5, -5]  # so that not all points are one
     vertices[-1] = [5, 5, 5]
     triangles = random.integers(0, n, (m, 3))
-    writer.write(tmp_path / "part.stl", vertices, triangles)
+    save(tmp_path / "part.stl", vertices, triangles)
     found = read(tmp_path / "part.stl")
     assert_same_body(found, vertices, triangles)
     _, first = np.unique(found[1], return_index=True)
@@ -191,13 +198,13 @@ def test_names_that_are_no_files(tmp_path):
     with pytest.raises(FileError, match="device"):
         read("/dev/null")
     with pytest.raises(FileError, match="there is no folder"):
-        writer.write(tmp_path / "nowhere" / "part.stl", VERTICES, TRIANGLES)
+        save(tmp_path / "nowhere" / "part.stl", VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="folder or device"):
-        writer.write(tmp_path, VERTICES, TRIANGLES)
+        save(tmp_path, VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="folder or device"):
-        writer.write("/dev/null", VERTICES, TRIANGLES)
+        save("/dev/null", VERTICES, TRIANGLES)
     with pytest.raises(FileError, match="the name is too long"):
-        writer.write(tmp_path / ("x" * 300 + ".stl"), VERTICES, TRIANGLES)
+        save(tmp_path / ("x" * 300 + ".stl"), VERTICES, TRIANGLES)
 
 
 def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
@@ -209,7 +216,7 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(MachineError, match="No space left on device"):
-        writer.write(path, VERTICES, TRIANGLES)
+        save(path, VERTICES, TRIANGLES)
     assert path.read_bytes() == b"old"
     assert [p.name for p in tmp_path.iterdir()] == ["part.stl"]
 
@@ -230,7 +237,7 @@ def test_writing_keeps_permissions_and_follows_links(tmp_path):
     path.write_bytes(b"old")
     path.chmod(0o640)
     link.symlink_to(path)
-    writer.write(link, VERTICES, TRIANGLES)
+    save(link, VERTICES, TRIANGLES)
     assert link.is_symlink()
     assert path.stat().st_mode & 0o777 == 0o640
     assert_same_body(read(path))
@@ -239,9 +246,9 @@ def test_writing_keeps_permissions_and_follows_links(tmp_path):
 def test_what_single_precision_cannot_hold_is_refused(tmp_path):
     path = tmp_path / "part.stl"
     with pytest.raises(FileError, match="move it to the origin"):
-        writer.write(path, VERTICES * 0.3 + 1e6, TRIANGLES)
+        save(path, VERTICES * 0.3 + 1e6, TRIANGLES)
     with pytest.raises(FileError, match="single precision"):
-        writer.write(path, VERTICES * 1e39, TRIANGLES)
+        save(path, VERTICES * 1e39, TRIANGLES)
     assert not path.exists()
 
 

@@ -6,8 +6,9 @@ import matplotlib.image
 import numpy as np
 import pytest
 
+from gearwright.colours import BRASS
 from gearwright.errors import FileError, MachineError
-from gearwright.pictures import BRASS, Body, View, picture
+from gearwright.pictures import Body, View, picture
 
 from .shapes import cube, sphere
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.files.stl import writer as stl
+from gearwright import Polyhedron
 from gearwright.moments.summation import CHUNK
 
 from .. import shapes
@@ -20,7 +20,7 @@ from .. import shapes
 def torus(tmp_path_factory):
     vertices, triangles = shapes.torus(300, 200)
     path = tmp_path_factory.mktemp("stl") / "torus.stl"
-    stl.write(path, vertices, triangles, length_unit="in")
+    Polyhedron(vertices, triangles).save(path, length_unit="in")
     return path
 
 
@@ -74,7 +74,7 @@ def test_holes_flips_and_numbers_that_are_none_are_refused(torus, tmp_path):
 
 def test_inward_faces_are_refused(tmp_path):
     vertices, triangles = shapes.torus(20, 10)
-    stl.write(tmp_path / "in.stl", vertices, triangles[:, ::-1])
+    Polyhedron(vertices, triangles[:, ::-1]).save(tmp_path / "in.stl")
     with pytest.raises(gw.GeometryError, match=r"volume -3\d\.\d+: must be positive; all faces are turned inward"):
         gw.stream_properties(tmp_path / "in.stl")
 
@@ -101,7 +101,7 @@ def test_memory_does_not_grow_with_the_file(tmp_path):
     peaks = []
     for name, (vertices, triangles) in (("few", few), ("many", many)):
         path = tmp_path / f"{name}.stl"
-        stl.write(path, vertices, triangles)
+        Polyhedron(vertices, triangles).save(path)
         # VmHWM is this program's; what getrusage tells includes the process that started it
         code = (
             "import sys, gearwright as gw; gw.stream_properties(sys.argv[1], threads=2);"

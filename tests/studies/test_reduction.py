@@ -7,8 +7,8 @@ import warnings
 import numpy as np
 import pytest
 
+from gearwright import Polyhedron
 from gearwright.errors import FileError, GeometryError
-from gearwright.files.stl import writer as stl
 from gearwright.moments import summation
 from gearwright.solids.streamed import stream_properties
 from gearwright.studies import reduction
@@ -30,7 +30,7 @@ def test_workers_change_no_bit(client, tmp_path, monkeypatch):
     monkeypatch.setattr(reduction, "_CHUNKS", 2)
     vertices, triangles = shapes.torus(400, 300)
     path = tmp_path / "torus.stl"
-    stl.write(path, vertices, triangles)
+    Polyhedron(vertices, triangles).save(path)
     assert len(triangles) > 6 * summation.CHUNK
     alone = stream_properties(path, 7.0)
     found = reduction.stream_properties_on_dask(path, client, 7.0)
@@ -43,7 +43,7 @@ def test_workers_change_no_bit(client, tmp_path, monkeypatch):
 def test_a_file_that_does_not_close_is_refused(client, tmp_path):
     vertices, triangles = shapes.torus(20, 10)
     path = tmp_path / "open.stl"
-    stl.write(path, vertices, triangles[1:])
+    Polyhedron(vertices, triangles[1:]).save(path)
     with pytest.raises(GeometryError, match=r"open.stl does not bound a solid:\n  closure residual .*check"):
         reduction.stream_properties_on_dask(path, client)
     with pytest.raises(FileError, match="there is no such file"):

@@ -21,7 +21,8 @@ def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
         return
     parts = placed_parts(built, outputs.tolerance)
     if outputs.output is not None:
-        written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
+        with progress(f"{outputs.output}"):
+            written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
     if outputs.picture is not None:
         with progress("picture"):
             draw_parts(parts, outputs.picture, built.title, built.units.length)
@@ -37,15 +38,19 @@ def draw(element: Element, path: Path) -> Path:
 
 
 def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
-    """The parts as polyhedra, where they mesh."""
+    """The parts where they mesh, to be written or drawn within a tolerance (length)."""
     parts = []
     for name, part in built.parts.items():
-        with progress(f"polyhedron of the {name}"):
-            polyhedron = part.gear.polyhedron(tolerance)
         label = f"{name}\n{part.gear.description}"
-        alone = "" if len(built.parts) == 1 else label
         parts.append(
-            PlacedPart(name=name, label=alone, polyhedron=polyhedron, placement=part.placement, upward=part.gear.upward)
+            PlacedPart(
+                name=name,
+                label="" if len(built.parts) == 1 else label,
+                element=part.gear,
+                placement=part.placement,
+                upward=part.gear.upward,
+                tolerance=tolerance,
+            )
         )
     return parts
 

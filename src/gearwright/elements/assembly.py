@@ -3,57 +3,90 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Protocol
 
 import numpy as np
 
 from ..arrays import Array
+from ..colours import BRASS, STEEL
 from ..disk import folder
 from ..solids.polyhedron import Polyhedron
+from ..solids.saving import PlacedSolid, Shape, save_solids
 
 
-@dataclass(frozen=True, kw_only=True)
+class Drawn(Shape, Protocol):
+    """A part that is written and drawn."""
+
+    @property
+    def smooth_tolerance(self) -> float | None: ...
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class PlacedPart:
-    """A part's polyhedron in its own frame, and the rigid motion (4, 4) that puts it in place.
+    """A part in its own frame, and the rigid motion (4, 4) that puts it in place.
 
-    name    what its file is called
-    label   what stands beside it in a picture
-    upward  which way the axis, z, points when the part is drawn alone, so that its teeth are seen
+    name       what its file is called
+    label      what stands beside it in a picture
+    upward     which way the axis, z, points when the part is drawn alone, so that its teeth are seen
+    tolerance  how far (length) what is written or drawn may lie from its surface; None for the defaults
     """
 
     name: str
     label: str
-    polyhedron: Polyhedron
+    element: Drawn
     placement: Array
     upward: Literal[1, -1] = 1
+    tolerance: float | None = None
+
+    @cached_property
+    def solid(self) -> PlacedSolid:
+        """What is written of it."""
+        return PlacedSolid(
+            name=self.name,
+            solid=self.element,
+            placement=self.placement,
+            tolerance=self.tolerance,
+            smooth_tolerance=self.element.smooth_tolerance,
+        )
+
+    @property
+    def polyhedron(self) -> Polyhedron:
+        """In the part's own frame."""
+        return self.solid.polyhedron
 
     @property
     def placed(self) -> Polyhedron:
         return self.polyhedron.transformed(self.placement)
 
 
-def save_parts(parts: Sequence[PlacedPart], path: Path, length_unit: str, *, placed: bool = False) -> list[Path]:
+def save_parts(
+    parts: Sequence[PlacedPart], path: Path, length_unit: str, *, suffix: str = ".stl", placed: bool = False
+) -> list[Path]:
     """Writes all parts in place to one file, if the path has a suffix, else each to a file in a folder.
 
+    suffix   of the files in a folder
     placed   in a folder, too, each part is written where it stands, and not in its own frame
 
-    Gives the files written. Raises FileError, MachineError.
+    Gives the files written. Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
+    solids = [replace(part.solid, colour=(BRASS, STEEL)[i % 2]) for i, part in enumerate(parts)]
     if path.suffix:
         folder(path.parent)
-        _together([part.placed for part in parts]).save(path, length_unit=length_unit)
+        save_solids(path, solids, name=path.stem, length_unit=length_unit)
         return [path]
-    files = [folder(path) / f"{part.name.replace(' ', '-')}.stl" for part in parts]
-    for part, file in zip(parts, files, strict=True):
-        (part.placed if placed else part.polyhedron).save(file, length_unit=length_unit)
+    files = [folder(path) / f"{part.name.replace(' ', '-')}{suffix}" for part in parts]
+    for solid, file in zip(solids, files, strict=True):
+        where = solid.placement if placed else np.eye(4)
+        save_solids(file, [replace(solid, placement=where)], name=solid.name, length_unit=length_unit)
     return files
 
 
 def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit: str) -> None:
     """Draws all parts in place into a PNG file. Raises FileError, MachineError."""
-    from ..pictures import BRASS, STEEL, Body, View, picture  # matplotlib and numba load only to draw
+    from ..pictures import Body, View, picture  # matplotlib and numba load only to draw
 
     bodies = [
         Body(vertices=body.vertices, triangles=body.triangles(), colour=(BRASS, STEEL)[i % 2], label=part.label)
@@ -64,12 +97,3 @@ def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit:
     up = float(parts[0].upward)
     alone = View(direction=(0.35, 0.8, 0.75 * up), up=(0.0, 0.0, up)) if len(parts) == 1 else None
     picture(bodies, path, title=title, view=alone, length_unit=length_unit)
-
-
-def _together(polyhedra: Sequence[Polyhedron]) -> Polyhedron:
-    """Several polyhedra of triangles as one of several components."""
-    if len(polyhedra) == 1:
-        return polyhedra[0]
-    starts = np.cumsum([0, *(len(one.vertices) for one in polyhedra[:-1])])
-    triangles = [one.triangles() + start for one, start in zip(polyhedra, starts, strict=True)]
-    return Polyhedron(np.concatenate([one.vertices for one in polyhedra]), np.concatenate(triangles))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,6 +15,7 @@ from ..parameters import MILLIMETRES, Problems, Size
 from ..sections.plane import Section
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
+from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, draw_parts
@@ -75,9 +77,18 @@ class Element(ABC):
         """A watertight polyhedron within a chord tolerance (length); default 1e-4 × bounding diagonal."""
         return self.solid.polyhedron(tolerance)
 
+    @property
+    def smooth_tolerance(self) -> float | None:
+        """How far (length) smooth faces in a file may lie from the part's; None where it has no size of its own."""
+        return None
+
     def save(self, path: str | Path, tolerance: float | None = None) -> None:
-        """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
-        self.polyhedron(tolerance).save(path, length_unit=self.length_unit)
+        """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
+
+        Raises FileError, MachineError; GeometryError where the tolerance cannot be met.
+        """
+        name = Path(path).stem
+        save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profile as a DXF or SVG drawing, arcs and splines as they are.
@@ -90,10 +101,16 @@ class Element(ABC):
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""
-        part = PlacedPart(
-            name="part", label="", polyhedron=self.polyhedron(tolerance), placement=np.eye(4), upward=self.upward
+        draw_parts([self._part(tolerance)], Path(path), self.description, self.length_unit)
+
+    def _part(self, tolerance: float | None) -> PlacedPart:
+        return PlacedPart(
+            name="part", label="", element=self, placement=np.eye(4), upward=self.upward, tolerance=tolerance
         )
-        draw_parts([part], Path(path), self.description, self.length_unit)
+
+
+SMOOTH = 5e-6
+"""How far smooth faces in a file may lie from a gear's, in modules, where nothing is said."""
 
 
 def module_in(length_unit: str, module: float | None, diametral_pitch: float | None) -> float:

@@ -50,14 +50,15 @@ class Pair(ABC):
         return []
 
     def parts(self, tolerance: float | None = None, turn: float = 0.0) -> list[PlacedPart]:
-        """Both members as polyhedra within a chord tolerance (length), where they mesh."""
+        """Both members where they mesh, to be written or drawn within a tolerance (length)."""
         members = {"pinion": self.pinion, "gear": self.gear}
         return [
             PlacedPart(
                 name=name,
                 label=f"{name}\n{member.description}",
-                polyhedron=member.polyhedron(tolerance),
+                element=member,
                 placement=placement,
+                tolerance=tolerance,
             )
             for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
         ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from ..errors import FileError
 from ..sources import Source
@@ -15,7 +16,8 @@ class FileFormat:
 
     suffixes   of its names, lower case, with the dot
     parser     a function of bytes and a name that gives Contents; None where it is not read
-    writer     None where it is not written
+    writer     a function of a path and an Assembly of what the format holds; None where it is not written
+    holds      polygon faces, or smooth ones
     """
 
     name: str
@@ -23,6 +25,7 @@ class FileFormat:
     suffixes: tuple[str, ...]
     parser: Source | None = None
     writer: Source | None = None
+    holds: Literal["polygons", "smooth faces"] = "polygons"
 
 
 FILE_FORMATS = (
@@ -50,6 +53,7 @@ FILE_FORMATS = (
         summary="smooth solids, read as polyhedra to a tolerance (extra step)",
         suffixes=(".step", ".stp"),
         parser="gearwright.files.step.reading:parse",
+        holds="smooth faces",
     ),
     FileFormat(
         name="OBJ",

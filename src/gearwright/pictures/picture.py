@@ -10,15 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Array, Indices
+from ..colours import STEEL, Colour
 from ..disk import written_whole
 from ..errors import FileError
 from .camera import Camera, View, camera, suitable_view
-
-Colour = tuple[float, float, float]
-
-BRASS: Colour = (0.80, 0.64, 0.36)
-STEEL: Colour = (0.60, 0.66, 0.73)
-"""Colours that suit a pinion and a gear, sRGB."""
 
 _BACKGROUND = np.array([1.0, 1.0, 1.0])
 

@@ -13,8 +13,9 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
 from ..errors import GeometryError, Problem
-from ..files import formats, reading
-from ..files.stl import writer as stl
+from ..files import reading
+from ..files.assembly import Assembly, Part
+from ..files.writing import save_polygons
 from ..moments.faces import Corners, Faces, face_vectors, fan_triangles, triangle_vectors
 from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
@@ -114,13 +115,13 @@ class Polyhedron:
         used, numbers = np.unique(indices, return_inverse=True)
         return Polyhedron(self.vertices[used], Corners(numbers.reshape(-1), offsets), rounding=self.rounding)
 
-    def save(self, path: str | Path, *, length_unit: str = "mm") -> None:
-        """Writes a file in the format of its suffix (.stl), whole or not at all.
+    def save(self, path: str | Path, *, length_unit: str | None = "mm") -> None:
+        """Writes a file in the format of its suffix, whole or not at all.
 
-        Raises FileError, MachineError; GeometryError if a face cannot be cut into triangles here.
+        Raises FileError, MachineError; GeometryError if a face cannot be cut into triangles where the format needs it.
         """
-        formats.format_of(path, "written")
-        stl.write(path, self.vertices, self._simple_triangles(), length_unit=length_unit)
+        name = Path(path).stem or "body"
+        save_polygons(path, Assembly(name=name, parts=(Part(name=name, shape=self),), length_unit=length_unit))
 
     @property
     def faces(self) -> Indices | tuple[Indices, ...]:
@@ -153,7 +154,7 @@ class Polyhedron:
         Raises GeometryError if a face cannot be cut into triangles here.
         """
         owners = np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets) - 2)
-        found = find_self_intersections(self.vertices, self._simple_triangles(), owners)
+        found = find_self_intersections(self.vertices, self.simple_triangles(), owners)
         return replace(found, bodies=overlapping(found.pairs, self.validity().body_labels))
 
     @cached_property
@@ -233,7 +234,7 @@ class Polyhedron:
             corners = Corners(self.indices[ends - np.arange(len(self.indices))], self.offsets)
         return Polyhedron(points, corners, rounding=rounding)
 
-    def _simple_triangles(self) -> Indices:
+    def simple_triangles(self) -> Indices:
         """Triangles (t, 3) that do not overlap: fans, each from a corner that sees its whole face."""
         sizes = np.diff(self.offsets)
         triangles = self.triangles()

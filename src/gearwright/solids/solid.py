@@ -58,8 +58,16 @@ class Solid(ABC):
         return self.polyhedron(tolerance).self_intersections()
 
     def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
-        """Writes the polyhedron to a file in the format of its suffix. Raises FileError, MachineError."""
-        self.polyhedron(tolerance).save(path, length_unit=length_unit)
+        """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
+
+        Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError,
+        MachineError; GeometryError where the tolerance cannot be met.
+        """
+        from .saving import PlacedSolid, save_solids
+
+        name = Path(path).stem
+        placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
+        save_solids(path, [placed], name=name, length_unit=length_unit)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
         """The solid moved by r → R r + t, R (3, 3) a rotation, t (3,).

@@ -15,7 +15,7 @@ from ...solids.swept import Swept
 from .. import declarations as d
 from .. import remarks
 from ..blanks.blank import Blank
-from ..element import Element, module_in, require_one_pitch
+from ..element import SMOOTH, Element, module_in, require_one_pitch
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
 from .bevel_checks import check_cone, check_face, check_given, check_shape
@@ -103,6 +103,10 @@ class BevelGear(Element):
             check_shape(problems, self)
         require_spiral(problems, self)
         problems.raise_any()
+
+    @property
+    def smooth_tolerance(self) -> float:
+        return SMOOTH * self.outer_module
 
     @cached_property
     def outer_module(self) -> float:

@@ -17,7 +17,7 @@ from ...sections.plane import Section
 from .. import declarations as d
 from .. import refusals, remarks
 from ..blanks.blank import Blank
-from ..element import Element, require_at_most_one
+from ..element import SMOOTH, Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS, BasicRack
 from ..standards.over_pins import USUAL as USUAL_PINS
 from .external_tooth import ExternalTooth
@@ -89,6 +89,10 @@ class CylindricalGear(Element):
     def helix(self) -> Helix:
         """Its module and helix."""
         return Helix.of(self)
+
+    @property
+    def smooth_tolerance(self) -> float:
+        return SMOOTH * self.normal_module
 
     @cached_property
     def normal_module(self) -> float:

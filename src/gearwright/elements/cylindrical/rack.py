@@ -17,7 +17,7 @@ from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
-from ..element import Element, require_at_most_one
+from ..element import SMOOTH, Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS
 from .helix import HELIX_NUMBERS, Helix, require_one_module
 from .rack_tooth import RackTooth
@@ -91,6 +91,10 @@ class Rack(Element):
     def helix(self) -> Helix:
         """Its module and helix."""
         return Helix.of(self)
+
+    @property
+    def smooth_tolerance(self) -> float:
+        return SMOOTH * self.normal_module
 
     @cached_property
     def normal_module(self) -> float:

@@ -14,6 +14,7 @@ from ... import disk
 from ...arrays import Array, Indices
 from ...errors import FileError
 from ...moments.faces import triangle_vectors
+from ..assembly import Assembly, Faceted, placed_vertices
 from .layout import HEADER, RECORD
 
 _MOST = 2**32 - 1
@@ -23,30 +24,30 @@ _COARSEST = 1e-4
 """Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
 
 
-def write(path: str | Path, vertices: Array, triangles: Indices, *, length_unit: str = "mm") -> None:
-    """Writes triangles (m, 3) over vertices (n, 3) as a binary STL file, whole or not at all.
+def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
+    """Writes the triangles of all parts, where they stand, as a binary STL file, whole or not at all.
 
     Corners are rounded to single precision, equal vertices equally, so a closed boundary stays closed.
     Normals are those of the rounded corners, 0 where these have no area.
-    Raises FileError if single precision cannot hold the body or the name is not a file's;
-    MachineError if the disk does not take it.
+    Raises FileError if single precision cannot hold a body or the name is not a file's; GeometryError if a face
+    cannot be cut into triangles; MachineError if the disk does not take it.
     """
-    single = _single_precision(str(path), vertices, triangles)
+    pieces = [(placed_vertices(part), part.shape.simple_triangles()) for part in assembly.parts]
+    count = sum(len(triangles) for _, triangles in pieces)
+    if count > _MOST:
+        raise FileError(f"{path}: {count} triangles; an STL file holds at most {_MOST}; use a coarser tolerance")
+    rounded = [(_single_precision(str(path), vertices), triangles) for vertices, triangles in pieces]
+    head = f"Gearwright binary STL, lengths in {assembly.length_unit or 'an unknown unit'}"
     with disk.written_whole(path) as stream:
-        stream.write(
-            f"Gearwright binary STL, lengths in {length_unit}".encode("ascii", "replace")[:HEADER].ljust(HEADER)
-        )
-        stream.write(len(triangles).to_bytes(4, "little"))
-        for start in range(0, len(triangles), _BLOCK):
-            stream.write(_records(single, triangles[start : start + _BLOCK]).data)
+        stream.write(head.encode("ascii", "replace")[:HEADER].ljust(HEADER))
+        stream.write(count.to_bytes(4, "little"))
+        for single, triangles in rounded:
+            for start in range(0, len(triangles), _BLOCK):
+                stream.write(_records(single, triangles[start : start + _BLOCK]).data)
 
 
-def _single_precision(path: str, vertices: Array, triangles: Indices) -> Array:
+def _single_precision(path: str, vertices: Array) -> Array:
     """The vertices rounded to single precision, still as float64."""
-    if len(triangles) > _MOST:
-        raise FileError(
-            f"{path}: {len(triangles)} triangles; an STL file holds at most {_MOST}; use a coarser tolerance"
-        )
     if not len(vertices):
         return vertices
     with np.errstate(over="ignore"):

@@ -1,0 +1,90 @@
+"""Solids to files: with the smooth faces they have where the format holds such, else as polyhedra."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from ..arrays import Array
+from ..boundary.boundary import Boundary
+from ..boundary.extent import rough_diagonal
+from ..colours import Colour
+from ..errors import GeometryError, Problem
+from ..files.assembly import Assembly, Part, Smooth
+from ..files.formats import format_of
+from ..files.writing import save_polygons
+from ..sources import load
+from .polyhedron import Polyhedron
+
+SMOOTH_TOLERANCE = 1e-7
+"""How far smooth faces in a file may lie from the solid's, in diagonals of its bounding box, where nothing is said."""
+
+
+class Shape(Protocol):
+    """What has a boundary, and polyhedra within tolerances of it: solids, elements."""
+
+    @property
+    def boundary(self) -> Boundary: ...
+    def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PlacedSolid:
+    """A solid, where it stands and how it is to be written.
+
+    name              as a person reads it
+    placement         (4, 4) rigid motion that puts it in its place
+    tolerance         how far (length) written faces may lie from its own; None: SMOOTH_TOLERANCE or smooth_tolerance
+                      for smooth faces, 1e-4 × bounding diagonal for chords
+    smooth_tolerance  what suits this solid
+    """
+
+    name: str
+    solid: Shape
+    placement: Array = field(default_factory=lambda: np.eye(4))
+    colour: Colour | None = None
+    tolerance: float | None = None
+    smooth_tolerance: float | None = None
+
+    @cached_property
+    def polyhedron(self) -> Polyhedron:
+        """In the solid's own frame."""
+        return self.solid.polyhedron(self.tolerance)
+
+    @property
+    def smooth(self) -> Smooth:
+        """In the solid's own frame."""
+        return smooth(self.solid.boundary, self.tolerance or self.smooth_tolerance)
+
+
+def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
+    """Smooth faces within a tolerance (length), by default SMOOTH_TOLERANCE. Raises GeometryError if it is none."""
+    if tolerance is None:
+        tolerance = SMOOTH_TOLERANCE * rough_diagonal(boundary)
+    if not 0.0 < tolerance < np.inf:
+        wanted = "a finite length greater than 0 is needed"
+        raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])
+    return Smooth(boundary=boundary, tolerance=tolerance)
+
+
+def save_solids(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:
+    """Writes solids where they stand to one file in the format of its suffix, whole or not at all.
+
+    Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
+    """
+    if format_of(path, "written").holds == "smooth faces":
+        save_smooth(path, solids, name=name, length_unit=length_unit)
+        return
+    parts = tuple(Part(name=s.name, shape=s.polyhedron, placement=s.placement, colour=s.colour) for s in solids)
+    save_polygons(path, Assembly(name=name, parts=parts, length_unit=length_unit))
+
+
+def save_smooth(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:
+    """Writes solids with their smooth faces. Raises as `save_solids`."""
+    parts = tuple(Part(name=s.name, shape=s.smooth, placement=s.placement, colour=s.colour) for s in solids)
+    load(format_of(path, "written").writer or "")(path, Assembly(name=name, parts=parts, length_unit=length_unit))
