@@ -23,6 +23,7 @@ from ..errors import GeometryError, Problem
 from .boundary import Boundary
 from .edge import Edge
 from .faces import Patch, alike, points_and_partials
+from .groups import Groups
 
 MOST_TRIANGLES = 20_000_000
 _MOST_AROUND_CAPS = 400_000  # points around plane ends, whose triangles are some 14 times as many: gigabytes, minutes
@@ -67,7 +68,7 @@ def sampling(boundary: Boundary, tolerance: float) -> Sampling:
             [Problem(f"tolerance = {tolerance:g}", "a finite length greater than 0 is needed")],
         )
     tolerance = min(tolerance, _thinnest(boundary) / 4.0)  # beyond that opposite ends could cross
-    groups = _Groups(boundary)
+    groups = Groups(boundary)
     segments: dict[Edge, int] = {}
     for along in dict.fromkeys(groups.of(patch.sides[1].edge) for patch in boundary.patches):
         patches = [patch for patch in boundary.patches if groups.of(patch.sides[1].edge) is along]
@@ -127,7 +128,7 @@ def fixed_sampling(boundary: Boundary, across: int, layers: int, tolerance: floa
     A closed edge counts as six, so that few segments still enclose something. An edge of no patch is one between two
     caps: a circle, or straight.
     """
-    groups, section = _Groups(boundary), section_edges(boundary)
+    groups, section = Groups(boundary), section_edges(boundary)
     swept = {use.edge for patch in boundary.patches for use in patch.sides}
     whole = {groups.of(edge) for edge in swept if edge.closed}
     segments = {edge: _FEWEST_CLOSED * across if edge.closed else 1 for edge in boundary.edges}
@@ -142,7 +143,7 @@ def section_edges(boundary: Boundary) -> frozenset[Edge]:
 
     Raises GeometryError where a patch has nothing else, so that no layers lie between the caps.
     """
-    groups = _Groups(boundary)
+    groups = Groups(boundary)
     around = {groups.of(use.edge) for cap in boundary.caps for loop in cap.loops for use in loop.uses}
     around = around or {groups.of(patch.sides[0].edge) for patch in boundary.patches}
     found = frozenset(edge for edge in boundary.edges if groups.of(edge) in around)
@@ -154,22 +155,6 @@ def section_edges(boundary: Boundary) -> frozenset[Edge]:
     if problems:
         raise GeometryError("Section and layers of this solid cannot be told apart", problems)
     return found
-
-
-class _Groups:
-    """Edges that must be cut alike, as a union–find forest."""
-
-    def __init__(self, boundary: Boundary):
-        self._parent: dict[Edge, Edge] = {edge: edge for edge in boundary.edges}
-        for patch in boundary.patches:
-            first, right, second, left = (use.edge for use in patch.sides)
-            self._parent[self.of(second)] = self.of(first)
-            self._parent[self.of(left)] = self.of(right)
-
-    def of(self, edge: Edge) -> Edge:
-        while self._parent[edge] is not edge:
-            edge = self._parent[edge]
-        return edge
 
 
 @dataclass(frozen=True)

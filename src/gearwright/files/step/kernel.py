@@ -21,8 +21,14 @@ class Kernel:
     label_sequence: Any
     text_sequence: Any
     shape_map: Any
+    points: Any
+    points_2d: Any
+    point_grid: Any
+    numbers: Any
+    counts: Any
     as_face: Any
     as_edge: Any
+    as_vertex: Any
 
 
 @cache
@@ -33,7 +39,7 @@ def kernel() -> Kernel:
         messages = import_module("OCP.Message").Message
     except ImportError:
         raise MachineError(
-            "STEP files are read by Open CASCADE, which is missing: pip install 'gearwright[step]'"
+            "STEP files are read and written by Open CASCADE, which is missing: pip install 'gearwright[step]'"
         ) from None
     messages.DefaultMessenger_s().ChangePrinters().Clear()  # it reports progress and errors on stdout
     return Kernel(
@@ -42,8 +48,14 @@ def kernel() -> Kernel:
         shape_map=_collection(
             "IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher", "TopTools", "TopTools_IndexedMapOfShape"
         ),
+        points=_collection("Array1_gp_Pnt", "TColgp", "TColgp_Array1OfPnt"),
+        points_2d=_collection("Array1_gp_Pnt2d", "TColgp", "TColgp_Array1OfPnt2d"),
+        point_grid=_collection("Array2_gp_Pnt", "TColgp", "TColgp_Array2OfPnt"),
+        numbers=_collection("Array1_double", "TColStd", "TColStd_Array1OfReal"),
+        counts=_collection("Array1_int", "TColStd", "TColStd_Array1OfInteger"),
         as_face=getattr(casts, "Face_s", None) or casts.Face,
         as_edge=getattr(casts, "Edge_s", None) or casts.Edge,
+        as_vertex=getattr(casts, "Vertex_s", None) or casts.Vertex,
     )
 
 

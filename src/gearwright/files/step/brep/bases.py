@@ -1,0 +1,97 @@
+"""Bases of splines over fractions 0…1 of a curve or of a motion, and interpolation in them.
+
+The nodes are Greville's, the means of neighbouring knots: as many as poles, and each within its basis function, so that
+there is always exactly one interpolant (Schoenberg & Whitney). The error falls with the sixth power of the span.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ....arrays import Array
+from ....curves.curve import in_panels
+
+DEGREE = 5
+_ROOM, _MOST_GROWTH = 1.05, 4.0
+_SMOOTH = 1  # multiplicity of a knot between spans of one panel; between panels DEGREE − 1, which leaves C¹
+
+
+@dataclass(frozen=True)
+class Basis:
+    """B-splines with so many equal spans in each panel; one of degree 1 and a single span holds straight lines.
+
+    panels   fractions at which what is interpolated is smooth but not analytic
+    """
+
+    degree: int
+    spans: int
+    panels: tuple[float, ...] = ()
+
+    @cached_property
+    def breaks(self) -> Array:
+        """Distinct knots, from 0 to 1."""
+        return in_panels(self.panels, np.arange(self.spans) / self.spans, last=True)
+
+    @cached_property
+    def multiplicities(self) -> tuple[int, ...]:
+        ends = self.degree + 1
+        inner = [self.degree - 1 if any(b == p for p in self.panels) else _SMOOTH for b in self.breaks[1:-1].tolist()]
+        return (ends, *inner, ends)
+
+    @cached_property
+    def knots(self) -> Array:
+        """All knots, repeated ones as often as they count."""
+        return np.repeat(self.breaks, self.multiplicities)
+
+    @cached_property
+    def nodes(self) -> Array:
+        """Fractions (n,) at which values are interpolated; the first is 0, the last 1."""
+        windows = np.lib.stride_tricks.sliding_window_view(self.knots[1:-1], self.degree)
+        nodes = windows.mean(axis=1)
+        nodes[0], nodes[-1] = 0.0, 1.0
+        return nodes
+
+    @cached_property
+    def checks(self) -> Array:
+        """Fractions between the nodes, where an interpolant is farthest off."""
+        steps = np.diff(self.nodes)[:, None] * np.array([0.25, 0.5, 0.75])
+        return (self.nodes[:-1, None] + steps).ravel()
+
+    def poles(self, values: Array, axis: int = 0) -> Array:
+        """Poles (…, n, …) of the interpolant of values (…, n, …) at the nodes, along an axis."""
+        from scipy.interpolate import make_interp_spline
+
+        if self.degree == 1 and len(self.nodes) == 2:
+            return values
+        spline = make_interp_spline(self.nodes, values, k=self.degree, t=self.knots, axis=axis)
+        poles = np.moveaxis(spline.c, 0, axis)
+        # the ends are interpolated exactly, so that neighbours meet in the very same numbers
+        for end in (0, -1):
+            np.moveaxis(poles, axis, 0)[end] = np.moveaxis(values, axis, 0)[end]
+        return np.asarray(poles)
+
+    def values(self, poles: Array, fractions: Array, axis: int = 0) -> Array:
+        """Values (…, k, …) of the spline of poles (…, n, …) at fractions (k,)."""
+        from scipy.interpolate import BSpline
+
+        found = BSpline(self.knots, np.moveaxis(poles, axis, 0), self.degree)(fractions)
+        return np.asarray(np.moveaxis(found, 0, axis))
+
+    def finer(self, excess: float) -> Basis:
+        """The next one to try where the error is so many times what it may be."""
+        if self.degree == 1:
+            return Basis(DEGREE, 1, self.panels)
+        growth = min(max(_ROOM * excess ** (1.0 / (DEGREE + 1)), 1.0), _MOST_GROWTH)
+        return Basis(DEGREE, max(self.spans + 1, int(np.ceil(growth * self.spans))), self.panels)
+
+
+COARSEST = Basis(1, 1)
+"""What straight lines at even speed need."""
+
+
+def coarsest(panels: tuple[float, ...]) -> Basis:
+    """The first basis to try for what has such panels."""
+    return Basis(DEGREE, 1, panels) if panels else COARSEST
