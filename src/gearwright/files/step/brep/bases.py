@@ -14,7 +14,7 @@ import numpy as np
 from ....arrays import Array
 from ....curves.curve import in_panels
 
-DEGREE = 5
+DEGREE = 7
 _ROOM, _MOST_GROWTH = 1.05, 4.0
 _SMOOTH = 1  # multiplicity of a knot between spans of one panel; between panels DEGREE − 1, which leaves C¹
 

@@ -32,6 +32,7 @@ _CURVES = 0.1
 """Of the tolerance: how far curves in the parameters of surfaces may be from the edges they stand for."""
 
 _CHECKS = np.linspace(0.0, 1.0, 33)
+_MARGIN = 2.0  # curves may be farther apart between the checks
 
 
 class Part(NamedTuple):
@@ -103,7 +104,7 @@ class OnRound:
         fractions = track.ref.first + _CHECKS * (track.ref.last - track.ref.first)
         foot = self.surface.point(track.parameters(self.surface, fractions))
         written = edges.points(track.ref.edge, track.ref.image, fractions)
-        return Part(track.ref, curve, error + float(np.max(np.linalg.norm(foot - written, axis=-1))))
+        return Part(track.ref, curve, _MARGIN * (error + float(np.max(np.linalg.norm(foot - written, axis=-1)))))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -141,7 +142,7 @@ class OnParameters:
             return 0.0
         written = edges.points(use.edge, use.turn, _CHECKS)
         foot = self.surface.point(self._parameters(number, _CHECKS))
-        return float(np.max(np.linalg.norm(foot - written, axis=-1)))
+        return _MARGIN * float(np.max(np.linalg.norm(foot - written, axis=-1)))
 
     def _parameters(self, number: int, fractions: Array) -> Array:
         """(U, V) (n, 2) at fractions of a side's edge."""
