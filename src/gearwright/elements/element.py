@@ -90,6 +90,10 @@ class Element(ABC):
         name = Path(path).stem
         save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
 
+    def to_ocp(self, tolerance: float | None = None) -> Any:
+        """The part as a shape of Open CASCADE (OCP.TopoDS), in its length unit; see `Solid.to_ocp`."""
+        return self.solid.to_ocp(tolerance or self.smooth_tolerance)
+
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profile as a DXF or SVG drawing, arcs and splines as they are.
 

@@ -53,6 +53,7 @@ FILE_FORMATS = (
         summary="smooth solids, read as polyhedra to a tolerance (extra step)",
         suffixes=(".step", ".stp"),
         parser="gearwright.files.step.reading:parse",
+        writer="gearwright.files.step.writer:write",
         holds="smooth faces",
     ),
     FileFormat(

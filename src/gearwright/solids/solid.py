@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -68,6 +69,19 @@ class Solid(ABC):
         name = Path(path).stem
         placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
         save_solids(path, [placed], name=name, length_unit=length_unit)
+
+    def to_ocp(self, tolerance: float | None = None) -> Any:
+        """The solid as a shape of Open CASCADE (OCP.TopoDS), in its own length unit, for CadQuery and build123d.
+
+        Its faces are planes, cylinders, cones, spheres and tori where the solid's are such, else splines within a
+        tolerance (length), by default 1e-7 × bounding diagonal. Raises GeometryError where the tolerance cannot be met;
+        MachineError without the extra `step`.
+        """
+        from ..files.step.brep.shape import shape
+        from .saving import smooth
+
+        found = smooth(self.boundary, tolerance)
+        return shape(found.boundary, found.tolerance)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
         """The solid moved by r → R r + t, R (3, 3) a rotation, t (3,).

@@ -6,7 +6,7 @@ there; or to the apex or pole that it holds.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -14,8 +14,7 @@ import numpy as np
 
 from ....arrays import Array
 from ....boundary.edge import Edge
-from .bases import COARSEST
-from .edges import Course
+from .bases import COARSEST, Basis
 from .elementary import SAME
 from .faces import line_on_surface
 from .surfaces import Round, Sphere, chart, spline_curve_2d
@@ -51,10 +50,11 @@ class Ref(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Track:
-    """A part of an edge on the surface: azimuths (33,) along its way, without jumps."""
+    """A part of an edge on the surface: azimuths and heights (33,) along its way, azimuths without jumps."""
 
     ref: Ref
     azimuths: Array
+    heights: Array
 
     def parameters(self, surface: Round, fractions: Array) -> Array:
         """(U, V) (n, 2) at the edge's fractions, near the azimuths known."""
@@ -85,12 +85,23 @@ class Tracks:
 def tracked(surface: Round, loop: Sequence[Ref]) -> Tracks:
     """A loop followed around the axis, from the azimuth of its start in (−π, π]."""
     tracks: list[Track] = []
-    for ref in loop:
-        azimuths = np.unwrap(chart(surface, ref.points(ref.way))[:, 0])
+    for ref, points in zip(loop, _points(loop), strict=True):
+        azimuths, heights = chart(surface, points).T
+        azimuths = np.unwrap(azimuths)
         if tracks:
             azimuths += _TURN * np.round((tracks[-1].azimuths[-1] - azimuths[0]) / _TURN)
-        tracks.append(Track(ref=ref, azimuths=azimuths))
+        tracks.append(Track(ref=ref, azimuths=azimuths, heights=heights))
     return Tracks(tracks=tuple(tracks))
+
+
+def _points(loop: Sequence[Ref]) -> Iterator[Array]:
+    """Points (33, 3) along the way of each part; images of one are turned, not found again."""
+    known: dict[Ref, Array] = {}
+    for ref in loop:
+        first = ref._replace(image=0)
+        if first not in known:
+            known[first] = first.points(first.way)
+        yield ref.edge.pattern.image(ref.image).points(known[first]) if ref.image else known[first]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -208,13 +219,41 @@ def _passing(surface: Round, track: Track, level: float) -> float:
     return at
 
 
-def on_surface(surface: Round, track: Track, course: Course, tolerance: float) -> tuple[Any, float]:
-    """The curve of a part of an edge in the surface's parameters, and how far (length) it is off in space.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SurfaceCurve:
+    """A part of an edge in a surface's parameters: a spline of poles (n, 2), off by so much (length) in space."""
 
-    tolerance   how far it may be
-    """
+    basis: Basis
+    poles: Array
+    error: float
+
+    def made(self, first: float, last: float) -> Any:
+        """It in Open CASCADE, its parameter from first to last."""
+        if self.basis is COARSEST:
+            return line_on_surface(first, last, *self.poles)
+        return spline_curve_2d(self.basis, self.poles, first, last)
+
+    def moved(self, along: float) -> SurfaceCurve:
+        """The same curve, moved along U."""
+        return replace(self, poles=self.poles + np.array([along, 0.0]))
+
+
+_SAME_CURVE = 1e-11
+"""Radians, and of the height: tracks that differ by less are one."""
+
+
+def move_between(one: Track, other: Track) -> float | None:
+    """How far along U another track is the same as one; None where it is not."""
+    move = float(other.azimuths[0] - one.azimuths[0])
+    turned = np.max(np.abs(other.azimuths - one.azimuths - move)) > _SAME_CURVE
+    if turned or np.max(np.abs(other.heights - one.heights)) > _SAME_CURVE * np.abs(one.heights).max():
+        return None
+    return move
+
+
+def on_surface(surface: Round, track: Track, tolerance: float) -> SurfaceCurve:
+    """A part of an edge in the surface's parameters, within a tolerance (length) in space."""
     ref, basis = track.ref, COARSEST
-    first, last = course.at(ref.first), course.at(ref.last)
 
     def exact(fractions: Array) -> Array:
         return track.parameters(surface, ref.first + fractions * (ref.last - ref.first))
@@ -224,11 +263,8 @@ def on_surface(surface: Round, track: Track, course: Course, tolerance: float) -
         found = basis.values(poles, basis.checks)
         error = float(np.max(np.linalg.norm(surface.point(found) - surface.point(wanted), axis=-1)))
         if error <= tolerance:
-            break
+            return SurfaceCurve(basis=basis, poles=poles, error=error)
         basis = basis.finer(error / tolerance)
-    if basis is COARSEST:
-        return line_on_surface(first, last, *poles), error
-    return spline_curve_2d(basis, poles, first, last), error
 
 
 def sphere_for(surface: Sphere, points: Array) -> Sphere:

@@ -24,7 +24,7 @@ from .edges import Edges
 from .faces import line_on_surface
 from .loops import around, side, sides
 from .recognition import Natural
-from .rounds import Layout, Ref, Track, layout, on_surface, sphere_for
+from .rounds import Layout, Ref, SurfaceCurve, Track, layout, move_between, on_surface, sphere_for
 from .surfaces import Cone, Cylinder, Extruded, Flat, Frame, Geometry, Round, Sphere, Spline, Turned
 
 _LOOP_SAMPLES = 32
@@ -45,6 +45,14 @@ class Part(NamedTuple):
     ref: Ref
     curve: Any | None = None
     deviation: float = 0.0
+
+
+class _Charted(NamedTuple):
+    """A part of an edge with its curve on a surface, and how far (length) that may be from it."""
+
+    track: Track
+    curve: SurfaceCurve
+    deviation: float
 
 
 class Template(Protocol):
@@ -93,18 +101,30 @@ class OnRound:
         return self.layout.surface
 
     def loops(self, edges: Edges) -> list[list[Part]]:
-        return [[self._part(track, edges) for track in loop.tracks] for loop in self.layout.loops]
+        known: dict[Ref, _Charted] = {}
+        return [[self._part(track, edges, known) for track in loop.tracks] for loop in self.layout.loops]
 
     @property
     def refs(self) -> list[Ref]:
         return [track.ref for loop in self.layout.loops for track in loop.tracks]
 
-    def _part(self, track: Track, edges: Edges) -> Part:
-        curve, error = on_surface(self.surface, track, edges.course(track.ref.edge), _CURVES * self.tolerance)
-        fractions = track.ref.first + _CHECKS * (track.ref.last - track.ref.first)
+    def _part(self, track: Track, edges: Edges, known: dict[Ref, _Charted]) -> Part:
+        """About the surface's own axis, images of an edge only move along U."""
+        ref = track.ref
+        first = ref._replace(image=0)
+        move = move_between(known[first].track, track) if first in known else None
+        if move is None:
+            move, curve = 0.0, on_surface(self.surface, track, _CURVES * self.tolerance)
+            known[first] = _Charted(track, curve, _MARGIN * (curve.error + self._distance(track, edges)))
+        course, found = edges.course(ref.edge), known[first]
+        return Part(ref, found.curve.moved(move).made(course.at(ref.first), course.at(ref.last)), found.deviation)
+
+    def _distance(self, track: Track, edges: Edges) -> float:
+        """How far the edge as it is written is from the surface."""
+        ref = track.ref
+        fractions = ref.first + _CHECKS * (ref.last - ref.first)
         foot = self.surface.point(track.parameters(self.surface, fractions))
-        written = edges.points(track.ref.edge, track.ref.image, fractions)
-        return Part(track.ref, curve, _MARGIN * (error + float(np.max(np.linalg.norm(foot - written, axis=-1)))))
+        return float(np.max(np.linalg.norm(foot - edges.points(ref.edge, ref.image, fractions), axis=-1)))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
