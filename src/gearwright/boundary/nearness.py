@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Array, Indices
+from ..curves.curve import in_panels
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flat import segments_for
@@ -17,9 +18,11 @@ from .outlines import winding
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
-_GRID = 9  # samples a side of a patch
-_NEAREST = 4  # samples from which a point's foot is searched
-_STEPS = 12  # of Gauss–Newton; it is quadratic where the surface is nearer than its radius of curvature
+_GRID = 9  # samples a side of a patch, and a panel
+_NEAREST = 24  # samples of which those first in their patches are where a point's foot is searched from
+_STEPS = 12  # of Gauss–Newton, at most; it is quadratic where the surface is nearer than its radius of curvature
+_ASIDE = 0.02  # of a patch's width: on a border where a curve has a cusp, as an involute has, no step leads away
+_STILL = 1e-14  # of a patch's width: a step that moves no point any more
 _MOST_STARTS = 6  # patches from which places of least distance are searched
 _SHRINKAGES = 13  # halvings of the grids on which they are: the last is 1/65536 of a patch wide
 _STAR = np.stack(np.meshgrid(*2 * [np.linspace(-1.0, 1.0, 5)]), axis=-1).reshape(-1, 2)
@@ -41,16 +44,18 @@ class Skin:
     @classmethod
     def of(cls, boundary: Boundary) -> Skin:
         side = np.linspace(0.0, 1.0, _GRID)
-        grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
         nothing = np.empty(0, np.int64)
-        clouds, owners, images = [np.empty((0, 3))], [nothing], [nothing]
+        clouds, owners, images, fractions = [np.empty((0, 3))], [nothing], [nothing], [np.empty((0, 2))]
         for i, patch in enumerate(boundary.patches):
+            up = in_panels(patch.panels, side[:-1], last=True)
+            grid = np.stack(np.meshgrid(side, up), axis=-1).reshape(-1, 2)
             order = patch.pattern.order
             clouds.append(patch.pattern.images(patch.point(*grid.T)).reshape(-1, 3))
             owners.append(np.full(order * len(grid), i))
             images.append(np.repeat(np.arange(order), len(grid)))
-        fractions = np.tile(grid, (sum(map(len, clouds)) // len(grid), 1))
-        return cls(boundary, np.concatenate(clouds), np.concatenate(owners), np.concatenate(images), fractions)
+            fractions.append(np.tile(grid, (order, 1)))
+        points, numbers = np.concatenate(clouds), (np.concatenate(owners), np.concatenate(images))
+        return cls(boundary, points, *numbers, np.concatenate(fractions))
 
     def nearest_to(self, other: Skin, eligible: Indices, sag: float) -> tuple[Array, Array]:
         """Places (k, 3) on this body's patches that come locally nearest to another body, and signed distances (k,).
@@ -89,6 +94,28 @@ class Skin:
 
         return cKDTree(self.points)
 
+    def _candidates(self, points: Array) -> tuple[Indices, Indices]:
+        """Points and samples, by number, from which the points' feet are searched: one in each patch that is near."""
+        count = min(_NEAREST, len(self.points))
+        if not count:
+            return np.empty(0, np.int64), np.empty(0, np.int64)
+        nearest = self._tree.query(points, k=count)[1].reshape(len(points), count)
+        faces = self.owners[nearest] * (1 + self.images.max()) + self.images[nearest]
+        order = np.argsort(faces, axis=1, kind="stable")
+        sorted_faces = np.take_along_axis(faces, order, axis=1)
+        first = np.diff(sorted_faces, axis=1, prepend=-1) > 0
+        rows, places = np.nonzero(first)
+        return rows, nearest[rows, order[rows, places]]
+
+    @staticmethod
+    def _in_sector(patch: Patch, points: Array, images: Indices) -> Array:
+        """Points (n, 3) turned from their images (n,) of a patch to its first."""
+        local = points.copy()
+        for k in np.unique(images):
+            if k:
+                local[images == k] = patch.pattern.image(int(k)).points_back(points[images == k])
+        return local
+
     def signed_distance(self, points: Array, sag: float) -> Array:
         """Distance (n,) of points (n, 3) from the surface: negative inside, for points near it.
 
@@ -96,15 +123,17 @@ class Skin:
         sag   of the chords of caps' borders, to tell what lies over a cap
         """
         found = np.full(len(points), np.inf)
-        count = min(_NEAREST, len(self.points))
-        for nearest in self._tree.query(points, k=count)[1].T if count else ():
-            keys = np.stack([self.owners[nearest], self.images[nearest]], axis=1)
-            for owner, image in np.unique(keys, axis=0):
-                chosen = np.flatnonzero((keys == [owner, image]).all(axis=1))
-                patch = self.boundary.patches[owner]
-                local = patch.pattern.image(int(image)).points_back(points[chosen])
-                distance = _from_patch(patch, local, self.fractions[nearest[chosen]])
-                found[chosen] = _nearer(found[chosen], distance)
+        rows, starts = self._candidates(points)
+        owners = self.owners[starts]
+        for owner in np.unique(owners):
+            patch, chosen = self.boundary.patches[owner], np.flatnonzero(owners == owner)
+            local = self._in_sector(patch, points[rows[chosen]], self.images[starts[chosen]])
+            distance = _from_patch(patch, local, self.fractions[starts[chosen]])
+            # several images of the patch may be near one point: the nearest counts
+            order = np.argsort(-np.abs(distance), kind="stable")
+            nearest = np.full(len(points), np.inf)
+            nearest[rows[chosen][order]] = distance[order]
+            found = _nearer(found, nearest)
         for cap in self.boundary.caps:
             found = _nearer(found, _from_cap(cap, points, sag))
         return found
@@ -116,7 +145,7 @@ def _nearer(one: Array, other: Array) -> Array:
 
 def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
     """Signed distance (n,) of points (n, 3) from a patch, their feet searched from fractions (n, 2)."""
-    at = start.copy()
+    at = np.clip(start, _ASIDE, 1.0 - _ASIDE)
     for _ in range(_STEPS):
         du, dv = patch.partials(*at.T)
         off = points - patch.point(*at.T)
@@ -125,7 +154,9 @@ def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
         determinant = uu * vv - uv * uv
         determinant = np.where(determinant > 1e-14 * uu * vv, determinant, np.inf)
         step = np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
-        at = np.clip(at + step, 0.0, 1.0)
+        before, at = at, np.clip(at + step, 0.0, 1.0)
+        if np.max(np.abs(at - before), initial=0.0) < _STILL:
+            break
     off = points - patch.point(*at.T)
     distance = np.linalg.norm(off, axis=1)
     normal = patch.area_vector(*at.T)

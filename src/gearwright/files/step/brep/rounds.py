@@ -267,13 +267,14 @@ def on_surface(surface: Round, track: Track, tolerance: float) -> SurfaceCurve:
         basis = basis.finer(error / tolerance)
 
 
-def sphere_for(surface: Sphere, points: Array) -> Sphere:
-    """The sphere with its poles across its frame's z where points (n, 3) of loops lie in the upper half.
+def sphere_for(surface: Sphere, loops: Sequence[Sequence[Ref]]) -> Sphere:
+    """The sphere with its poles across its frame's z where one loop is the border of a face in the upper half.
 
-    Poles and the half circle of azimuth 0 are outside the face then, which holds +z, and it needs no seam.
+    Poles and the half circle of azimuth 0 are outside the face then, which holds +z, and it needs no seam. A face with
+    a hole about z keeps its axis: circles about it are lines in its parameters.
     """
-    local = surface.frame.local(points)
-    if local[:, 2].min() <= _HALF * surface.radius:
+    heights = [surface.frame.local(points)[:, 2].min() for loop in loops for points in _points(loop)]
+    if len(loops) > 1 or min(heights) <= _HALF * surface.radius:
         return surface
     axes = surface.frame.axes
     turned = np.stack([-axes[:, 2], axes[:, 1], axes[:, 0]], axis=1)

@@ -194,7 +194,7 @@ def of_cap(cap: Cap, tolerance: float) -> Template:
     if isinstance(surface, Flat):
         return OnPlane(surface=surface, around=loops, outward=area > 0.0)
     if isinstance(surface, Sphere):
-        surface = sphere_for(surface, np.concatenate([ref.points(ref.way) for loop in loops for ref in loop]))
+        surface = sphere_for(surface, loops)
     return OnRound(layout=layout(surface, loops), outward=area > 0.0, tolerance=tolerance)
 
 
