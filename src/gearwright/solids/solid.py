@@ -57,8 +57,17 @@ class Solid(ABC):
         """Where its polyhedron of that tolerance passes through itself. Raises GeometryError like `polyhedron`."""
         return self.polyhedron(tolerance).self_intersections()
 
-    def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
+    def save(
+        self,
+        path: str | Path,
+        tolerance: float | None = None,
+        length_unit: str = "mm",
+        *,
+        density: str | float | None = None,
+    ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
+
+        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
         Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError,
         MachineError; GeometryError where the tolerance cannot be met.
@@ -67,7 +76,7 @@ class Solid(ABC):
 
         name = Path(path).stem
         placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
-        save_solids(path, [placed], name=name, length_unit=length_unit)
+        save_solids(path, [placed], name=name, length_unit=length_unit, density=density)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
         """The solid moved by r → R r + t, R (3, 3) a rotation, t (3,).
