@@ -12,7 +12,7 @@ from ..errors import GeometryError, Problem
 from ..files.robots.mechanism import Mechanism
 from ..parameters import Size
 from ..sections.drawings import Profile, write
-from ..solids.robots import holds_masses, refuse_density, save_mechanism
+from ..solids.robots import density_for, refuse_density, save_mechanism
 from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .element import Element
@@ -94,8 +94,8 @@ class Pair(ABC):
         """
         if not Path(path).suffix:
             refuse_density(path, density)
-        elif holds_masses(path, density):
-            save_mechanism(path, self.mechanism(Path(path).stem, density or "", tolerance))
+        elif (needed := density_for(path, density)) is not None:
+            save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance))
             return
         save_parts(self.parts(tolerance), Path(path), self.length_unit)
 

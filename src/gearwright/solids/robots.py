@@ -43,17 +43,20 @@ def save_mechanism(path: str | Path, mechanism: Mechanism) -> list[Path]:
     return files
 
 
-def holds_masses(path: str | Path, density: object) -> bool:
-    """Whether a file of this name is a mechanism's. Raises FileError unless a density is given just where it is."""
+def density_for(path: str | Path, density: str | float | None) -> str | float | None:
+    """The density where a file of this name holds masses, else None.
+
+    Raises FileError unless one is given just where it is needed.
+    """
     format_ = format_of(path, "written")
     if format_.holds != "mechanism":
         refuse_density(path, density)
-        return False
+        return None
     if density is None:
         raise FileError(
             f'{path}: {format_.name} holds masses; give a density: the name of a material, as "steel", or kg/m³'
         )
-    return True
+    return density
 
 
 def refuse_density(path: str | Path, density: object) -> None:

@@ -88,10 +88,11 @@ def save_solids(
 
     Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
-    from .robots import holds_masses, mechanism_of, save_mechanism
+    from .robots import density_for, mechanism_of, save_mechanism
 
-    if holds_masses(path, density):
-        save_mechanism(path, mechanism_of(name, solids, density or "", length_unit or ""))
+    needed = density_for(path, density)
+    if needed is not None:
+        save_mechanism(path, mechanism_of(name, solids, needed, length_unit or ""))
         return
     if format_of(path, "written").holds == "smooth faces":
         save_smooth(path, solids, name=name, length_unit=length_unit)

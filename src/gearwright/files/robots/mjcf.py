@@ -19,8 +19,8 @@ from .xml import Element, add, add_inertial, document, position, quaternion
 MOST_TRIANGLES = 200_000
 """Of a mesh in an STL file."""
 
-LEAST = 1e-15
-"""Mass (kg) and principal moments (kg m²) of a body that moves must be larger."""
+LEAST_MASS, LEAST_MOMENT = 1e-15, 1e-14
+"""Mass (kg) and principal moments (kg m²) of a body must be larger."""
 
 VISUAL, COLLISION = "2", "3"
 """Groups of geoms that programs show, and hide until they are asked for."""
@@ -29,8 +29,10 @@ _COMPILER = {"angle": "radian", "inertiafromgeom": "false", "balanceinertia": "f
 _KINDS = {"continuous": "hinge", "prismatic": "slide"}
 
 _STIFF = {"solref": "0.004 1", "solimp": "0.9999 0.9999 0.001 0.5 2"}
-"""As stiff as the constraint stays sound at the default step of 0.002 s: no time constant below two steps, and the
+"""As stiff as a constraint stays sound at the default step of 0.002 s: no time constant below two steps, and the
 largest share of the unconstrained acceleration taken away that MuJoCo allows."""
+
+_STIFF_END = {f"{name}limit": value for name, value in _STIFF.items()}
 
 
 def write(path: str | Path, mechanism: Mechanism) -> list[Path]:
@@ -50,11 +52,11 @@ def _beyond(link: Link) -> list[str]:
     triangles = len(link.shape.simple_triangles())
     if triangles > MOST_TRIANGLES:
         found.append(f"{link.name}: {triangles} triangles, at most {MOST_TRIANGLES} are taken; use a coarser tolerance")
-    least = float(min(link.inertial.mass, *np.linalg.eigvalsh(link.inertial.inertia)))
-    if not least > LEAST:
+    mass, least = link.inertial.mass, float(np.linalg.eigvalsh(link.inertial.inertia)[0])
+    if not (mass > LEAST_MASS and least > LEAST_MOMENT):
         found.append(
-            f"{link.name}: mass {link.inertial.mass:.3g} kg, principal moments down to {least:.3g} kg m²; each must be"
-            f" larger than {LEAST:g}: check density and length unit"
+            f"{link.name}: mass {mass:.3g} kg, principal moments down to {least:.3g} kg m²; more than"
+            f" {LEAST_MASS:g} kg and {LEAST_MOMENT:g} kg m² are taken: check density and length unit"
         )
     return found
 
@@ -78,7 +80,7 @@ def _add_body(world: Element, link: Link, joint: Joint | None) -> None:
     if joint is None:
         add(body, "freejoint")
     else:
-        limits = {} if joint.range is None else {"range": numbers(joint.range)}
+        limits = {} if joint.range is None else {"range": numbers(joint.range), **_STIFF_END}
         attributes = {"name": joint.name, "type": _KINDS[joint.kind], "axis": numbers(joint.axis), **limits}
         add(body, "joint", attributes)
     mesh = {"type": "mesh", "mesh": link.name}
@@ -89,10 +91,17 @@ def _add_body(world: Element, link: Link, joint: Joint | None) -> None:
 
 
 def _add_ratios(root: Element, mechanism: Mechanism) -> None:
-    """Ratios by constraints, which carry the load; so the convex hulls, which overlap, are exempt from contact."""
+    """Ratios by constraints, which carry the load; so the convex hulls, which overlap, are exempt from contact.
+
+    MuJoCo softens a constraint by the inverse inertias of both joints, without their ratio; it stays stiff where the
+    joint that goes farther is given by the other.
+    """
     contact, equality = add(root, "contact"), add(root, "equality")
     (first, *_) = mechanism.joints
     for joint in mechanism.followers:
         add(contact, "exclude", {"body1": first.link, "body2": joint.link})
-        coefficients = numbers((0.0, joint.ratio or 0.0, 0.0, 0.0, 0.0))
-        add(equality, "joint", {"joint1": joint.name, "joint2": first.name, "polycoef": coefficients, **_STIFF})
+        ratio, given, by = joint.ratio or 1.0, joint, first
+        if abs(ratio) < 1.0:
+            ratio, given, by = 1.0 / ratio, first, joint
+        coefficients = numbers((0.0, ratio, 0.0, 0.0, 0.0))
+        add(equality, "joint", {"joint1": given.name, "joint2": by.name, "polycoef": coefficients, **_STIFF})
