@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 import gearwright as gw
 from gearwright import catalog
 from gearwright.boundary.extent import rough_diagonal
+from gearwright.solids.robots import save_mechanism
 
 from ..examples import BY_NAME, EXAMPLES
 
@@ -50,9 +51,15 @@ def placement_in_m(placement, unit):
     return moved
 
 
-def saved(element, path):
+@cache
+def mechanism_of(name, example):
+    element = element_of(name, example)
     diagonal = rough_diagonal(getattr(element, "pinion", element).boundary)
-    element.save(path, COARSE * diagonal, density="steel")
+    return element.mechanism("robot", "steel", COARSE * diagonal)
+
+
+def saved(name, example, path):
+    save_mechanism(path, mechanism_of(name, example))
     return path
 
 
@@ -60,7 +67,7 @@ def saved(element, path):
 @every_element
 def test_mujoco_finds_the_masses_the_inertia_and_the_motion(tmp_path, name, example, suffix):
     element = element_of(name, example)
-    model = mujoco.MjModel.from_xml_path(str(saved(element, tmp_path / f"robot{suffix}")))
+    model = mujoco.MjModel.from_xml_path(str(saved(name, example, tmp_path / f"robot{suffix}")))
     members = members_of(element, name)
     assert [model.body(i).name for i in range(model.nbody)] == ["world", *members]
     for one, member in members.items():
@@ -123,7 +130,7 @@ def _posed(text):
 @every_element
 def test_sdformat_says_the_same(tmp_path, name, example):
     element = element_of(name, example)
-    root = ET.parse(saved(element, tmp_path / "robot.sdf")).getroot()  # noqa: S314  our own file
+    root = ET.parse(saved(name, example, tmp_path / "robot.sdf")).getroot()  # noqa: S314  our own file
     assert (root.tag, root.get("version")) == ("sdf", "1.11")
     (model,) = root
     assert (model.tag, model.get("name")) == ("model", "robot")
@@ -182,7 +189,7 @@ def _assert_sdf_stands_where_it_meshes(model, links, pair, turn):
 @every_element
 def test_urdf_is_a_tree_with_the_inertia_of_every_part(tmp_path, name, example):
     element = element_of(name, example)
-    root = ET.parse(saved(element, tmp_path / "robot.urdf")).getroot()  # noqa: S314  our own file
+    root = ET.parse(saved(name, example, tmp_path / "robot.urdf")).getroot()  # noqa: S314  our own file
     assert (root.tag, root.get("name")) == ("robot", "robot")
     links = {link.get("name"): link for link in root.findall("link")}
     members = members_of(element, name)

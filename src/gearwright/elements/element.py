@@ -16,6 +16,7 @@ from ..parameters import MILLIMETRES, Problems, Size
 from ..sections.plane import Section
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
+from ..solids.robots import density_for, save_mechanism
 from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
@@ -92,8 +93,11 @@ class Element(ABC):
         Raises FileError, MachineError; GeometryError where the tolerance cannot be met.
         """
         name = Path(path).stem
-        solids = [replace(self._part(tolerance).solid, name=name)]
-        save_solids(path, solids, name=name, length_unit=self.length_unit, density=density)
+        needed = density_for(path, density)
+        if needed is not None:
+            save_mechanism(path, self.mechanism(name, needed, tolerance))
+            return
+        save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
 
     def mechanism(self, name: str, density: str | float, tolerance: float | None = None) -> Mechanism:
         """The part as a free body for simulators. Arguments and errors as those of `Pair.mechanism`."""
