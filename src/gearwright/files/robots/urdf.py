@@ -20,7 +20,7 @@ _UNLIMITED = 1e9
 """Force (N) and speed (m/s) of a sliding joint, which must be stated and are not known here."""
 
 _FOR_MUJOCO = {
-    "strippath": "false",  # meshes lie in a folder
+    "strippath": "false",  # meshes lie in a folder, whose name must stay
     "fusestatic": "false",  # else a part without a joint becomes a part of the world, and loses its mass
     "inertiafromgeom": "false",
     "balanceinertia": "false",
