@@ -1,5 +1,7 @@
 """Pairs in motion: MuJoCo simulates what is written for it."""
 
+from xml.etree import ElementTree as ET
+
 import mujoco
 import numpy as np
 import pytest
@@ -110,3 +112,34 @@ def test_a_sum_of_solids_is_written_too(tmp_path):
     shaft.save(tmp_path / "shaft.xml", density=2700.0)
     model = mujoco.MjModel.from_xml_path(str(tmp_path / "shaft.xml"))
     assert model.body("part").mass == pytest.approx(2700.0 * np.pi * 0.004**2 * 0.03, rel=1e-14)
+
+
+def test_other_bodies_touch_each_member_once_and_the_members_do_not_touch(tmp_path):
+    """A ball of 2 mm on a tip of the pinion and one in the middle of the gear's far side."""
+    pair = PAIRS["spur"]
+    pair.save(tmp_path / "pair.xml", 0.5, density="steel")
+    tree = ET.parse(tmp_path / "pair.xml")  # noqa: S314  our own file
+    for place in ("-0.0155 0 0.003", "0.068 0 0.003"):
+        ball = ET.SubElement(tree.find("worldbody"), "body", {"pos": place})
+        ET.SubElement(ball, "freejoint")
+        ET.SubElement(ball, "geom", {"type": "sphere", "size": "0.002", "mass": "0.001"})
+    tree.write(tmp_path / "balls.xml")
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "balls.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data)
+    touching = [sorted(model.body(model.geom_bodyid[g]).name for g in contact.geom) for contact in data.contact]
+    assert sorted(touching) == [["", "gear"], ["", "pinion"]]
+    assert {int(model.geom_group[g]) for contact in data.contact for g in contact.geom} == {0, 3}
+
+
+def test_urdf_and_sdformat_say_where_a_rack_ends(tmp_path):
+    pair = PAIRS["rack"]  # 40 teeth, 20 on either side of the pinion
+    end = 20 * 2e-3 * np.pi
+    pair.save(tmp_path / "pair.urdf", 0.5, density="steel")
+    urdf = ET.parse(tmp_path / "pair.urdf").find("joint[@name='gear_joint']")  # noqa: S314  our own file
+    assert urdf.get("type") == "prismatic"
+    assert set(urdf.find("limit").keys()) == {"lower", "upper", "effort", "velocity"}
+    assert [float(urdf.find("limit").get(name)) for name in ("lower", "upper")] == pytest.approx([-end, end])
+    pair.save(tmp_path / "pair.sdf", 0.5, density="steel")
+    sdf = ET.parse(tmp_path / "pair.sdf").find("model/joint[@name='gear_joint']")  # noqa: S314  our own file
+    assert [float(sdf.findtext(f"axis/limit/{name}")) for name in ("lower", "upper")] == pytest.approx([-end, end])

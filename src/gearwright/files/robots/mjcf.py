@@ -25,7 +25,12 @@ LEAST_MASS, LEAST_MOMENT = 1e-15, 1e-14
 VISUAL, COLLISION = "2", "3"
 """Groups of geoms that programs show, and hide until they are asked for."""
 
-_COMPILER = {"angle": "radian", "inertiafromgeom": "false", "balanceinertia": "false", "discardvisual": "false"}
+_COMPILER = {
+    "angle": "radian",
+    "inertiafromgeom": "auto",  # what is stated is taken; bodies that a user adds may state nothing
+    "balanceinertia": "false",
+    "discardvisual": "false",
+}
 _KINDS = {"continuous": "hinge", "prismatic": "slide"}
 
 _STIFF = {"solref": "0.004 1", "solimp": "0.9999 0.9999 0.001 0.5 2"}

@@ -22,7 +22,7 @@ _UNLIMITED = 1e9
 _FOR_MUJOCO = {
     "strippath": "false",  # meshes lie in a folder, whose name must stay
     "fusestatic": "false",  # else a part without a joint becomes a part of the world, and loses its mass
-    "inertiafromgeom": "false",
+    "inertiafromgeom": "auto",  # what is stated is taken
     "balanceinertia": "false",
 }
 
