@@ -37,10 +37,11 @@ def test_the_block_prints_what_stands_below_it_and_the_commands_run(tmp_path, mo
 
 def test_every_format_has_a_row_with_its_suffixes_and_a_section():
     rows = dict(re.findall(r"^\| \[(\w+)[^]]*\]\(#\w+\) \| ([^|]*) \|", TEXT, flags=re.MULTILINE))
-    assert rows == {one.name: ", ".join(f"`{suffix}`" for suffix in one.suffixes) for one in FILE_FORMATS}
+    bodies = [one for one in FILE_FORMATS if one.holds != "mechanism"]  # those have a page of their own
+    assert rows == {one.name: ", ".join(f"`{suffix}`" for suffix in one.suffixes) for one in bodies}
     for anchor in re.findall(r"^\| \[\w+[^]]*\]\(#(\w+)\)", TEXT, flags=re.MULTILINE):
         assert re.search(rf"^## {anchor}$", TEXT, flags=re.MULTILINE | re.IGNORECASE)
-    assert [one.name for one in FILE_FORMATS if one.writer] == ["STL"]
+    assert [one.name for one in bodies if one.writer] == ["STL"]
 
 
 @pytest.mark.parametrize(

@@ -5,13 +5,14 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+import shutil
 import stat
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from .errors import FileError, MachineError
+from .errors import FileError, GearwrightError, MachineError
 
 _PATH_ERRORS = (FileNotFoundError, FileExistsError, IsADirectoryError, NotADirectoryError, ValueError)
 """What another file name mends; ValueError is a name with a null character."""
@@ -94,6 +95,74 @@ def written_whole(path: str | Path) -> Iterator[BinaryIO]:
         raise MachineError(
             f"{path}: cannot be written ({_reason(error)}); nothing was changed; check permissions and free space"
         ) from error
+
+
+@contextmanager
+def written_together(folder: str | Path) -> Iterator[Path]:
+    """A folder for files that get into the given folder, under the same relative names, when the block ends.
+
+    On any error all files there are as they were; what else lies there stays. The files are written to a folder of
+    their own beside those that they replace, and renamed one by one at the end; if one cannot be, those before it are
+    taken back. Raises FileError if there is no such folder or a name is not a file's; MachineError if the disk or the
+    permissions do not allow it. Errors of these kinds in the block name the file that was to be.
+    """
+    home = Path(folder)
+    staged = home / f".{secrets.token_hex(8)}.part"
+    try:
+        staged.mkdir()
+        new, old = staged / "new", staged / "old"
+        new.mkdir()
+        old.mkdir()
+        yield new
+        _exchange(new, old, home)
+        shutil.rmtree(old, ignore_errors=True)
+    except (FileError, MachineError) as error:
+        raise type(error)(str(error).replace(str(staged / "new"), str(home))) from error
+    except GearwrightError:
+        raise
+    except FileNotFoundError:
+        raise FileError(f"{folder}: there is no such folder; make it first") from None
+    except _PATH_ERRORS as error:
+        raise FileError(f"{folder}: files cannot be put there ({_reason(error)})") from None
+    except OSError as error:
+        _refuse_long_name(error.filename or folder, error)
+        raise MachineError(
+            f"{folder}: cannot be written to ({_reason(error)}); nothing was changed; check permissions and free space"
+        ) from error
+    finally:
+        shutil.rmtree(staged / "new", ignore_errors=True)
+        _without_error((staged / "old").rmdir)  # not empty where an old file could not be put back
+        _without_error(staged.rmdir)
+
+
+def _exchange(new: Path, old: Path, home: Path) -> None:
+    """Moves every file of one folder to its place in another, and what stood there to a third; all or none."""
+    names = [path.relative_to(new) for path in sorted(new.rglob("*")) if path.is_file()]
+    for name in names:
+        place = home / name
+        if place.exists() and not place.is_file():
+            raise FileError(f"{place}: this is a folder or device; the name of a file is needed")
+        if place.parent.exists() and not place.parent.is_dir():
+            raise FileError(f"{place.parent}: cannot be a folder, a file stands in its way; move it away")
+    with ExitStack() as undo:
+        for name in names:
+            place, kept = Path(os.path.realpath(home / name)), old / name
+            for path in (place, kept):
+                if not path.parent.exists():
+                    path.parent.mkdir()
+                    undo.callback(_without_error, path.parent.rmdir)
+            if place.exists():
+                (new / name).chmod(stat.S_IMODE(place.stat().st_mode))
+                place.replace(kept)
+                undo.callback(kept.replace, place)
+            (new / name).replace(place)
+            undo.callback(_without_error, place.unlink)
+        undo.pop_all()
+
+
+def _without_error(step: Callable[[], object]) -> None:
+    with suppress(OSError):
+        step()
 
 
 @contextmanager

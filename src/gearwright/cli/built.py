@@ -11,6 +11,7 @@ import numpy as np
 from .. import catalog
 from ..arrays import Array
 from ..boundary.boundary import Boundary
+from ..files.robots.mechanism import Mechanism
 from ..materials import density as kernel_density
 from ..parameters import Size
 from ..solids.convergence import ApproximationError
@@ -37,6 +38,7 @@ class Gear(Protocol):
     def beside(self, density: float = 1.0) -> dict[str, MassProperties]: ...
     def properties(self, density: float = 1.0) -> MassProperties: ...
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
+    def mechanism(self, name: str, density: str | float, tolerance: float | None = None) -> Mechanism: ...
 
 
 class Pair(Protocol):

@@ -82,7 +82,8 @@ class Outputs:
         Path | None,
         Option(
             name=["--output", "-o"],
-            help="Write polyhedra: a file.stl (a pair: both members in mesh), or a folder for one file a member.",
+            help="Write polyhedra: a file.stl (a pair: both members in mesh), or a folder for one file a member;"
+            " or for simulators, with masses: a file.urdf, .sdf or .xml (MJCF).",
             metavar="PATH",
         ),
     ] = None
@@ -141,6 +142,19 @@ class Outputs:
         """The file that the errors are drawn into."""
         return self.convergence[0] if self.convergence else None
 
+    @property
+    def mechanism(self) -> catalog.FileFormat | None:
+        """The format of the output that holds masses on joints; None of others."""
+        suffix = self.output.suffix.lower() if self.output is not None else ""
+        return next((one for one in catalog.FILE_FORMATS if one.holds == "mechanism" and suffix in one.suffixes), None)
+
+    def _mechanism_problems(self) -> list[Problem]:
+        """That a density is missing where masses are written."""
+        if self.mechanism is None or self.density is not None or self.material is not None:
+            return []
+        needed = f"{self.mechanism.name} holds masses; give a --material NAME, or a --density in kg/m³"
+        return [Problem(f"{option_name('output')} {self.output}", needed)]
+
     def _material_problems(self) -> list[Problem]:
         """What is wrong with the material, alone or beside a density."""
         if self.material is not None and self.density is not None:
@@ -178,6 +192,7 @@ class Outputs:
         return [
             *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
             *self._material_problems(),
+            *self._mechanism_problems(),
             *(Problem(option_name(name), "a name is needed") for name in nameless),
             *_wrong_suffix("output", file, written),
             *_one_file_twice({**files, "diagram": self.diagram}),

@@ -11,6 +11,7 @@ from ..compiled import telling
 from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
 from ..elements.element import Element
+from ..solids.robots import save_mechanism
 from .built import Built
 from .common_options import Outputs
 
@@ -22,11 +23,25 @@ def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
     parts = placed_parts(built, outputs.tolerance)
     if outputs.output is not None:
         with progress(f"{outputs.output}"):
-            written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
+            if outputs.mechanism is not None:
+                written += _save_mechanism(built, outputs)
+            else:
+                written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
     if outputs.picture is not None:
         with progress("picture"):
             draw_parts(parts, outputs.picture, built.title, built.units.length)
         written.append(outputs.picture)
+
+
+def _save_mechanism(built: Built, outputs: Outputs) -> list[Path]:
+    """Writes the parts as bodies on joints, and gives the paths."""
+    path, density = outputs.output or Path(), outputs.kilograms or 0.0
+    folder(path.parent)
+    (first, *_) = built.parts.values()
+    if built.pair is None:
+        return save_mechanism(path, first.gear.mechanism(path.stem, density, outputs.tolerance))
+    turn = outputs.turn or 0.0
+    return save_mechanism(path, built.pair.mechanism(path.stem, density, outputs.tolerance, turn))
 
 
 def draw(element: Element, path: Path) -> Path:

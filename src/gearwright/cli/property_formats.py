@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import GeometryError
 from ..files.inertial import WRITERS, Inertial
-from ..parameters import LENGTH_UNITS
+from ..solids.inertial import inertial_of
 from ..solids.properties import MassProperties
 from .built import Units
 from .json_output import json_line
@@ -116,10 +115,6 @@ def _inertials(found: Measured, written: str, view: View) -> str:
 
 
 def _inertial(name: str, body: MassProperties, units: Units, view: View) -> Inertial:
-    problems = body.validity()
-    if problems:
-        raise GeometryError(f"{name}: no body can have these properties", problems)
-    metres = LENGTH_UNITS[units.length] / 1e3
-    axes = view.axes_of(body)
-    tensor = np.diag(body.principal_moments) if view.name == PRINCIPAL_AXES else view.turned(body).central_inertia
-    return Inertial(name=name, mass=body.mass, centroid=body.centroid * metres, axes=axes, inertia=tensor * metres**2)
+    principal = view.name == PRINCIPAL_AXES
+    tensor = np.diag(body.principal_moments) if principal else view.turned(body).central_inertia
+    return inertial_of(name, body, units.length, axes=view.axes_of(body), inertia=tensor)

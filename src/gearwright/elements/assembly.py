@@ -62,6 +62,11 @@ class PlacedPart:
         return self.polyhedron.transformed(self.placement)
 
 
+def in_colours(parts: Sequence[PlacedPart]) -> list[PlacedSolid]:
+    """What is written of the parts, brass and steel by turns."""
+    return [replace(part.solid, colour=(BRASS, STEEL)[i % 2]) for i, part in enumerate(parts)]
+
+
 def save_parts(
     parts: Sequence[PlacedPart], path: Path, length_unit: str, *, suffix: str = ".stl", placed: bool = False
 ) -> list[Path]:
@@ -72,7 +77,7 @@ def save_parts(
 
     Gives the files written. Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
-    solids = [replace(part.solid, colour=(BRASS, STEEL)[i % 2]) for i, part in enumerate(parts)]
+    solids = in_colours(parts)
     if path.suffix:
         folder(path.parent)
         save_solids(path, solids, name=path.stem, length_unit=length_unit)

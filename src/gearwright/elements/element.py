@@ -11,14 +11,17 @@ import numpy as np
 
 from ..boundary.boundary import Boundary
 from ..errors import GeometryError, Problem
+from ..files.robots.mechanism import Mechanism
 from ..parameters import MILLIMETRES, Problems, Size
 from ..sections.plane import Section
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
+from ..solids.robots import density_for, save_mechanism
 from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, draw_parts
+from .following import part_mechanism
 
 
 class Element(ABC):
@@ -82,17 +85,27 @@ class Element(ABC):
         """How far (length) smooth faces in a file may lie from the part's; None where it has no size of its own."""
         return None
 
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+    def save(self, path: str | Path, tolerance: float | None = None, *, density: str | float | None = None) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
+
+        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
         Raises FileError, MachineError; GeometryError where the tolerance cannot be met.
         """
         name = Path(path).stem
+        needed = density_for(path, density)
+        if needed is not None:
+            save_mechanism(path, self.mechanism(name, needed, tolerance))
+            return
         save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The part as a shape of Open CASCADE (OCP.TopoDS), in its length unit; see `Solid.to_ocp`."""
         return self.solid.to_ocp(tolerance or self.smooth_tolerance)
+
+    def mechanism(self, name: str, density: str | float, tolerance: float | None = None) -> Mechanism:
+        """The part as a free body for simulators. Arguments and errors as those of `Pair.mechanism`."""
+        return part_mechanism(name, [self._part(tolerance)], density, self.length_unit)
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profile as a DXF or SVG drawing, arcs and splines as they are.

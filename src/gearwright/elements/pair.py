@@ -9,11 +9,14 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import GeometryError, Problem
+from ..files.robots.mechanism import Mechanism
 from ..parameters import Size
 from ..sections.drawings import Profile, write
+from ..solids.robots import density_for, refuse_density, save_mechanism
 from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .element import Element
+from .following import Following, part_mechanism
 
 
 class Pair(ABC):
@@ -40,6 +43,11 @@ class Pair(ABC):
     def placements(self, turn: float = 0.0) -> tuple[Array, Array]:
         """Rigid motions (4, 4) of pinion and gear into mesh, with the pinion turned by so many degrees."""
 
+    @property
+    @abstractmethod
+    def following(self) -> Following:
+        """How the gear follows the pinion, which turns about its own +z: what `placements` does with the turn."""
+
     @abstractmethod
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""
@@ -63,11 +71,32 @@ class Pair(ABC):
             for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
         ]
 
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+    def mechanism(
+        self, name: str, density: str | float, tolerance: float | None = None, turn: float = 0.0
+    ) -> Mechanism:
+        """Both members on joints, for simulators: the pinion turns about its axis, the gear follows.
+
+        name        what the model and the folder of its meshes are called after
+        density     the name of a material, or kg/m³
+        tolerance   of the meshes (length); mass and inertia are exact
+        turn        of the pinion (degrees) where the joints are at 0
+
+        Raises ParameterError for a density that is none; GeometryError where the tolerance cannot be met.
+        """
+        return part_mechanism(name, self.parts(tolerance, turn), density, self.length_unit, self.following, turn)
+
+    def save(self, path: str | Path, tolerance: float | None = None, *, density: str | float | None = None) -> None:
         """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
+
+        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
         Raises FileError, MachineError.
         """
+        if not Path(path).suffix:
+            refuse_density(path, density)
+        elif (needed := density_for(path, density)) is not None:
+            save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance))
+            return
         save_parts(self.parts(tolerance), Path(path), self.length_unit)
 
     def save_drawing(self, path: str | Path) -> None:

@@ -16,8 +16,9 @@ class FileFormat:
 
     suffixes   of its names, lower case, with the dot
     parser     a function of bytes and a name that gives Contents; None where it is not read
-    writer     a function of a path and an Assembly of what the format holds; None where it is not written
-    holds      polygon faces, or smooth ones
+    writer     a function of a path and an Assembly of what the format holds, or a Mechanism; None where it is not
+               written
+    holds      polygon faces, or smooth ones; or a mechanism: bodies with masses on joints
     """
 
     name: str
@@ -25,7 +26,7 @@ class FileFormat:
     suffixes: tuple[str, ...]
     parser: Source | None = None
     writer: Source | None = None
-    holds: Literal["polygons", "smooth faces"] = "polygons"
+    holds: Literal["polygons", "smooth faces", "mechanism"] = "polygons"
 
 
 FILE_FORMATS = (
@@ -73,6 +74,27 @@ FILE_FORMATS = (
         summary="polygons, text or binary",
         suffixes=(".ply",),
         parser="gearwright.files.ply.reader:parse",
+    ),
+    FileFormat(
+        name="URDF",
+        summary="bodies on joints with masses and meshes, for simulators of robots",
+        suffixes=(".urdf",),
+        writer="gearwright.files.robots.urdf:write",
+        holds="mechanism",
+    ),
+    FileFormat(
+        name="SDFormat",
+        summary="bodies on joints with masses and meshes, for Gazebo",
+        suffixes=(".sdf",),
+        writer="gearwright.files.robots.sdf:write",
+        holds="mechanism",
+    ),
+    FileFormat(
+        name="MJCF",
+        summary="bodies on joints with masses and meshes, for MuJoCo",
+        suffixes=(".mjcf", ".xml"),
+        writer="gearwright.files.robots.mjcf:write",
+        holds="mechanism",
     ),
 )
 

@@ -44,8 +44,8 @@ def urdf(body: Inertial) -> str:
     moments = " ".join(f'{name}="{value}"' for name, value in _components(body).items())
     lines = (
         "<inertial>",
-        f'  <origin xyz="{_numbers(body.centroid)}" rpy="{_numbers(roll_pitch_yaw(body.axes))}"/>',
-        f'  <mass value="{_number(body.mass)}"/>',
+        f'  <origin xyz="{numbers(body.centroid)}" rpy="{numbers(roll_pitch_yaw(body.axes))}"/>',
+        f'  <mass value="{number(body.mass)}"/>',
         f"  <inertia {moments}/>",
         "</inertial>",
     )
@@ -56,8 +56,8 @@ def sdf(body: Inertial) -> str:
     """An <inertial> element of SDFormat, after a comment with the body's name."""
     lines = (
         "<inertial>",
-        f"  <pose>{_numbers([*body.centroid, *roll_pitch_yaw(body.axes)])}</pose>",
-        f"  <mass>{_number(body.mass)}</mass>",
+        f"  <pose>{numbers([*body.centroid, *roll_pitch_yaw(body.axes)])}</pose>",
+        f"  <mass>{number(body.mass)}</mass>",
         "  <inertia>",
         *(f"    <{name}>{value}</{name}>" for name, value in _components(body).items()),
         "  </inertia>",
@@ -72,13 +72,13 @@ def mjcf(body: Inertial) -> str:
     Along the body's own axes with fullinertia (Ixx Iyy Izz Ixy Ixz Iyz), along others, which must be principal, with
     diaginertia and quat. Raises ValueError where they are neither: the format has no words for it.
     """
-    place = f'pos="{_numbers(body.centroid)}" mass="{_number(body.mass)}"'
+    place = f'pos="{numbers(body.centroid)}" mass="{number(body.mass)}"'
     if np.array_equal(body.axes, np.eye(3)):
         full = " ".join(_components(body)[name] for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
         return _element(body, (f'<inertial {place} fullinertia="{full}"/>',))
     if not is_diagonal(body.inertia):
         raise ValueError("MJCF has no words for a full tensor along turned axes")
-    turned = f'quat="{_numbers(quaternion_of(body.axes))}" diaginertia="{_numbers(np.diag(body.inertia))}"'
+    turned = f'quat="{numbers(quaternion_of(body.axes))}" diaginertia="{numbers(np.diag(body.inertia))}"'
     return _element(body, (f"<inertial {place} {turned}/>",))
 
 
@@ -92,7 +92,7 @@ def is_diagonal(inertia: Array) -> bool:
 
 
 def _components(body: Inertial) -> dict[str, str]:
-    return {f"i{'xyz'[i]}{'xyz'[j]}": _number(body.inertia[i, j]) for i in range(3) for j in range(i, 3)}
+    return {f"i{'xyz'[i]}{'xyz'[j]}": number(body.inertia[i, j]) for i in range(3) for j in range(i, 3)}
 
 
 def _element(body: Inertial, lines: Iterable[str]) -> str:
@@ -103,10 +103,11 @@ def _element(body: Inertial, lines: Iterable[str]) -> str:
     return "\n".join((f"<!-- {name} -->", *lines)) + "\n"
 
 
-def _numbers(values: Iterable[float] | Array) -> str:
-    return " ".join(_number(value) for value in values)
+def numbers(values: Iterable[float] | Array) -> str:
+    """Numbers with all their digits, a space between two."""
+    return " ".join(number(value) for value in values)
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
     """All digits of a number, as few as give it again."""
     return repr(float(value) + 0.0)

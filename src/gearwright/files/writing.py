@@ -17,6 +17,11 @@ def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
     that a face cannot be cut into.
     """
     format_ = format_of(path, "written")
+    if format_.holds == "mechanism":
+        raise FileError(
+            f"{path}: {format_.name} holds bodies with masses on joints, and polygons alone are given; elements, pairs"
+            f' and solids are written so with a density: save("{Path(path).name}", density="steel")'
+        )
     if format_.holds != "polygons":
         others = [suffix for one in FILE_FORMATS if one.writer and one.holds == "polygons" for suffix in one.suffixes]
         raise FileError(

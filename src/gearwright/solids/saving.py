@@ -20,16 +20,18 @@ from ..files.formats import format_of
 from ..files.writing import save_polygons
 from ..sources import load
 from .polyhedron import Polyhedron
+from .properties import MassProperties
 
 SMOOTH_TOLERANCE = 1e-7
 """How far smooth faces in a file may lie from the solid's, in diagonals of its bounding box, where nothing is said."""
 
 
 class Shape(Protocol):
-    """What has a boundary, and polyhedra within tolerances of it: solids, elements."""
+    """What has a boundary, properties, and polyhedra within tolerances of it: solids, elements."""
 
     @property
     def boundary(self) -> Boundary: ...
+    def properties(self, density: float = 1.0) -> MassProperties: ...
     def polyhedron(self, tolerance: float | None = None) -> Polyhedron: ...
 
 
@@ -72,11 +74,26 @@ def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
     return Smooth(boundary=boundary, tolerance=tolerance)
 
 
-def save_solids(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:
+def save_solids(
+    path: str | Path,
+    solids: Sequence[PlacedSolid],
+    *,
+    name: str,
+    length_unit: str | None,
+    density: str | float | None = None,
+) -> None:
     """Writes solids where they stand to one file in the format of its suffix, whole or not at all.
+
+    density   the name of a material, or kg/m³, for a format that holds masses and for no other
 
     Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
+    from .robots import density_for, mechanism_of, save_mechanism
+
+    needed = density_for(path, density)
+    if needed is not None:
+        save_mechanism(path, mechanism_of(name, solids, needed, length_unit or ""))
+        return
     if format_of(path, "written").holds == "smooth faces":
         save_smooth(path, solids, name=name, length_unit=length_unit)
         return

@@ -58,8 +58,17 @@ class Solid(ABC):
         """Where its polyhedron of that tolerance passes through itself. Raises GeometryError like `polyhedron`."""
         return self.polyhedron(tolerance).self_intersections()
 
-    def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
+    def save(
+        self,
+        path: str | Path,
+        tolerance: float | None = None,
+        length_unit: str = "mm",
+        *,
+        density: str | float | None = None,
+    ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
+
+        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
         Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError,
         MachineError; GeometryError where the tolerance cannot be met.
@@ -68,7 +77,7 @@ class Solid(ABC):
 
         name = Path(path).stem
         placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
-        save_solids(path, [placed], name=name, length_unit=length_unit)
+        save_solids(path, [placed], name=name, length_unit=length_unit, density=density)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The solid as a shape of Open CASCADE (OCP.TopoDS), in its own length unit, for CadQuery and build123d.

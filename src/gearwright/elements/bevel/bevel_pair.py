@@ -12,6 +12,7 @@ from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import remarks
 from ..element import module_in, require_one_pitch
+from ..following import Following
 from ..pair import Pair
 from ..standards.bevels.proportions import Pair as Proportions
 from .bevel_gear import BevelGear
@@ -231,6 +232,11 @@ class BevelPair(Pair):
         Common apex at the origin, pinion axis +z, gear axis at the shaft angle towards +x.
         """
         return meshing_placements(np.radians(self.shaft_angle), *self.teeth, np.radians(turn))
+
+    @property
+    def following(self) -> Following:
+        """Seen from the apex, or from behind both, pinion and gear turn opposite ways."""
+        return Following(ratio=-self.teeth[0] / self.teeth[1])
 
     def sizes(self) -> dict[str, Size]:
         """Sizes of the pair; each member has its own."""

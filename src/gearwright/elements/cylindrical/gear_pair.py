@@ -14,6 +14,7 @@ from ...parameters import Problems, Size, declared, member_value
 from .. import declarations as d
 from .. import refusals
 from ..element import Element
+from ..following import Following
 from ..pair import Pair
 from ..standards.iso_53 import BASIC_RACKS
 from .centre_distance import AxesOfGears, AxisOverRack
@@ -26,7 +27,7 @@ from .internal_gear import InternalGear
 from .mesh import GearMesh, Mesh, RackMesh, least_sum_of_shifts
 from .mesh_checks import check_mesh
 from .mesh_sizes import mesh_remarks, mesh_sizes
-from .placing import gears_in_mesh, pinion_on_rack
+from .placing import gears_in_mesh, pinion_on_rack, rack_following
 from .rack import Rack
 from .sharing import second_values_without_use, values_of_member
 from .spur_gear import SpurGear
@@ -286,6 +287,14 @@ class GearPair(Pair):
             pitch = self.gear.tooth.circular_pitch
             return pinion_on_rack(self.pinion.pitch_radius, distance, self.teeth[1], pitch, angle)
         return gears_in_mesh(self.teeth, distance, angle, internal=self.kind == "internal")
+
+    @property
+    def following(self) -> Following:
+        """How the gear follows the pinion: opposite outside, the same way inside; a rack until the teeth end."""
+        if isinstance(self.gear, Rack):
+            return rack_following(self.pinion.pitch_radius, self.teeth[1], self.gear.tooth.circular_pitch)
+        sign = 1.0 if self.kind == "internal" else -1.0
+        return Following(ratio=sign * self.teeth[0] / self.teeth[1])
 
     @property
     def remarks(self) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
+from ..following import Following
 
 
 def gears_in_mesh(teeth: tuple[int, int], distance: float, turn: float, *, internal: bool) -> tuple[Array, Array]:
@@ -29,6 +30,13 @@ def pinion_on_rack(
     """
     middle = (rack_teeth // 2 - 0.5) * circular_pitch
     return _placed(turn, 0.0), _placed(np.pi, distance, middle + pitch_radius * turn)
+
+
+def rack_following(pitch_radius: float, rack_teeth: int, circular_pitch: float) -> Following:
+    """How the rack of `pinion_on_rack` follows: along its own −y, while the pitch point is on its teeth."""
+    behind = rack_teeth // 2
+    ends = (-behind * circular_pitch, (rack_teeth - behind) * circular_pitch)
+    return Following(kind="prismatic", axis=(0.0, -1.0, 0.0), ratio=pitch_radius, range=ends)
 
 
 def _placed(angle: float, x: float, y: float = 0.0) -> Array:
