@@ -41,12 +41,14 @@ FILE_FORMATS = (
         summary="placed meshes with a unit, in a zip package",
         suffixes=(".3mf",),
         parser="gearwright.files.three_mf.bodies:parse",
+        writer="gearwright.files.three_mf.writer:write",
     ),
     FileFormat(
         name="glTF",
         summary="a scene of meshes, as text or binary; lengths in metres",
         suffixes=(".gltf", ".glb"),
         parser="gearwright.files.gltf.scene:parse",
+        writer="gearwright.files.gltf.writer:write",
     ),
     FileFormat(
         name="STEP",
@@ -60,18 +62,21 @@ FILE_FORMATS = (
         summary="polygons in objects or groups",
         suffixes=(".obj",),
         parser="gearwright.files.obj.reader:parse",
+        writer="gearwright.files.obj.writer:write",
     ),
     FileFormat(
         name="OFF",
         summary="polygons, text or binary",
         suffixes=(".off",),
         parser="gearwright.files.off.reader:parse",
+        writer="gearwright.files.off.writer:write",
     ),
     FileFormat(
         name="PLY",
         summary="polygons, text or binary",
         suffixes=(".ply",),
         parser="gearwright.files.ply.reader:parse",
+        writer="gearwright.files.ply.writer:write",
     ),
 )
 
