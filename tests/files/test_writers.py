@@ -65,7 +65,7 @@ def placed(part):
 def integrals(vertices, indices, offsets):
     """∫ dV, ∫ r dV, ∫ r rᵀ dV from the tetrahedra of fans about the origin, and the area."""
     sums, area = np.zeros((4, 4)), 0.0
-    for start, stop in zip(offsets[:-1], offsets[1:], strict=True):
+    for start, stop in pairwise(offsets):
         face = vertices[indices[start:stop]]
         for b, c in pairwise(face[1:]):
             corners = np.array([face[0], b, c, [0, 0, 0]])

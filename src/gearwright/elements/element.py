@@ -82,13 +82,16 @@ class Element(ABC):
         """How far (length) smooth faces in a file may lie from the part's; None where it has no size of its own."""
         return None
 
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+    def save(self, path: str | Path, tolerance: float | None = None, *, clearance: float = 0.0) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        Raises FileError, MachineError; GeometryError where the tolerance cannot be met.
+        clearance   gap (length) between printed parts that would touch, as of `Solid.save`
+
+        Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         name = Path(path).stem
-        save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
+        solid = replace(self._part(tolerance).solid, name=name, clearance=clearance)
+        save_solids(path, [solid], name=name, length_unit=self.length_unit)
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profile as a DXF or SVG drawing, arcs and splines as they are.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -63,12 +64,18 @@ class Pair(ABC):
             for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
         ]
 
-    def save(self, path: str | Path, tolerance: float | None = None) -> None:
+    def save(
+        self, path: str | Path, tolerance: float | None = None, *, clearance: float = 0.0, suffix: str = ".stl"
+    ) -> None:
         """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
 
-        Raises FileError, MachineError.
+        clearance   gap (length) between the printed members where they would touch, as of `Solid.save`
+        suffix      of the files in a folder, which is their format
+
+        Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
-        save_parts(self.parts(tolerance), Path(path), self.length_unit)
+        parts = [replace(part, clearance=clearance) for part in self.parts(tolerance)]
+        save_parts(parts, Path(path), self.length_unit, suffix=suffix)
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profiles of both members in mesh, each on its own layer, as a DXF or SVG drawing.

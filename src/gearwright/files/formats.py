@@ -18,6 +18,9 @@ class FileFormat:
     parser     a function of bytes and a name that gives Contents; None where it is not read
     writer     a function of a path and an Assembly of what the format holds; None where it is not written
     holds      polygon faces, or smooth ones
+    bodies     whether bodies stay apart, by their names, in what is written
+    has_unit   whether what is written always states a unit of length
+    up         the axis that points up
     """
 
     name: str
@@ -26,6 +29,9 @@ class FileFormat:
     parser: Source | None = None
     writer: Source | None = None
     holds: Literal["polygons", "smooth faces"] = "polygons"
+    bodies: bool = False
+    has_unit: bool = False
+    up: Literal["y", "z"] = "z"
 
 
 FILE_FORMATS = (
@@ -42,6 +48,8 @@ FILE_FORMATS = (
         suffixes=(".3mf",),
         parser="gearwright.files.three_mf.bodies:parse",
         writer="gearwright.files.three_mf.writer:write",
+        bodies=True,
+        has_unit=True,
     ),
     FileFormat(
         name="glTF",
@@ -49,6 +57,9 @@ FILE_FORMATS = (
         suffixes=(".gltf", ".glb"),
         parser="gearwright.files.gltf.scene:parse",
         writer="gearwright.files.gltf.writer:write",
+        bodies=True,
+        has_unit=True,
+        up="y",
     ),
     FileFormat(
         name="STEP",
@@ -63,6 +74,7 @@ FILE_FORMATS = (
         suffixes=(".obj",),
         parser="gearwright.files.obj.reader:parse",
         writer="gearwright.files.obj.writer:write",
+        bodies=True,
     ),
     FileFormat(
         name="OFF",

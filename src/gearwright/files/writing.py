@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..errors import FileError
+from ..errors import FileError, GeometryError
 from ..sources import load
 from .assembly import Assembly, Faceted
 from .formats import FILE_FORMATS, format_of
@@ -26,4 +26,8 @@ def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
     bare = [part.name for part in assembly.parts if len(part.shape.offsets) < 2]
     if bare:
         raise FileError(f"{path}: a file of bodies holds faces, and {', '.join(bare)} has none; leave it out")
-    load(format_.writer or "")(path, assembly)
+    try:
+        load(format_.writer or "")(path, assembly)
+    except GeometryError as error:
+        headline = f"{path}: {format_.name} holds triangles; .obj, .off and .ply hold any polygons"
+        raise GeometryError(headline, error.problems) from error

@@ -57,16 +57,20 @@ class Solid(ABC):
         """Where its polyhedron of that tolerance passes through itself. Raises GeometryError like `polyhedron`."""
         return self.polyhedron(tolerance).self_intersections()
 
-    def save(self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm") -> None:
+    def save(
+        self, path: str | Path, tolerance: float | None = None, length_unit: str = "mm", *, clearance: float = 0.0
+    ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError,
-        MachineError; GeometryError where the tolerance cannot be met.
+        clearance   gap (length) between printed parts that would touch: faces of polyhedra lie half of it deeper
+
+        Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError, also for
+        a clearance of smooth faces; MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         from .saving import PlacedSolid, save_solids
 
         name = Path(path).stem
-        placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
+        placed = PlacedSolid(name=name, solid=self, tolerance=tolerance, clearance=clearance)
         save_solids(path, [placed], name=name, length_unit=length_unit)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
