@@ -45,7 +45,7 @@ def with_clearance(body: Polyhedron, clearance: float) -> Polyhedron:
     if clearance / 2.0 < least:
         moved = _moved(body, steps, clearance / 2.0)
         crossings = moved.self_intersections()
-        if not crossings.count > body.self_intersections().count:
+        if not crossings or crossings.count <= body.self_intersections().count:
             return moved
         x, y, z = crossings.points[0]
         least = _first_crossing(body, steps, clearance / 2.0)

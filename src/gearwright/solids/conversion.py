@@ -26,7 +26,6 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
     faces, and for a unit where the source states another; MachineError; GeometryError where the target holds
     triangles and a face cannot be cut into such.
     """
-    given = format_of(source, "read")
     wanted = format_of(target, "written")
     if wanted.holds != "polygons":
         others = ", ".join(s for one in FILE_FORMATS if one.writer and one.holds == "polygons" for s in one.suffixes)
@@ -35,6 +34,7 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
             f" to {others}, or build the part anew, from its design or by its command"
         )
     model = Model.load(source)
+    given = format_of(source, "read")
     if length_unit and model.length_unit and length_unit != model.length_unit:
         raise FileError(f"{source}: it says itself that lengths are in {model.length_unit}, not {length_unit}")
     remarks = [*model.remarks, *_problems(model)]
