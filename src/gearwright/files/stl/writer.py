@@ -20,7 +20,8 @@ from ..rounding import in_single_precision
 from .layout import HEADER, RECORD
 
 _MOST = 2**32 - 1
-_BLOCK = 1 << 18
+_BLOCK = 1 << 15
+"""Triangles at a time, which stay in the cache of a processor."""
 
 
 def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
