@@ -155,16 +155,12 @@ def test_the_limit_is_where_a_face_turns_over():
 
 
 def test_the_limit_is_found_where_walls_pass_through_each_other():
-    """A slot's floor, 0.2 above the bottom, whose faces keep their areas when they pass each other."""
-    outline = np.array([[0, 0], [9, 0], [9, 5], [5, 5], [5, 0.2], [4, 0.2], [4, 5], [0, 5]])
-    count = len(outline)
-    around = [[k, (k + 1) % count, count + (k + 1) % count, count + k] for k in range(count)]
-    caps = [[0, 6, 7], [0, 5, 6], [0, 1, 5], [5, 1, 4], [4, 1, 2], [4, 2, 3]]
-    faces = [*(c[::-1] for c in caps), *([k + count for k in c] for c in caps), *around]
-    body = Polyhedron([(*p, z) for z in (0.0, 9.0) for p in outline.tolist()], faces)
-    assert body.validity().valid
-    assert with_clearance(body, 0.19).validity().valid
-    with pytest.raises(GeometryError, match=r"it must be less than 0\.(19|2)"):
+    """A void 0.2 from the side of a box: no face of either turns over when they pass."""
+    void = CORNERS * [4.8, 3, 3] + [0.2, 3, 3]
+    body = Polyhedron(np.concatenate([CORNERS * 9, void]), QUADS + [[k + 8 for k in face[::-1]] for face in QUADS])
+    found = with_clearance(body, 0.19)
+    assert found.properties().volume == pytest.approx(8.81**3 - 4.99 * 3.19**2, rel=1e-12)
+    with pytest.raises(GeometryError, match=r"pass through each other; it must be less than 0\.(19|2)"):
         with_clearance(body, 0.5)
 
 
