@@ -160,9 +160,9 @@ def test_refused_in_the_words_of_the_design(build, design, words):
 
 
 def test_options_and_parameters_are_refused_together(build):
-    outcome = build(SPUR + "bore = -3\n", *"--density -1 -o a.obj --turn 3".split())
+    outcome = build(SPUR + "bore = -3\n", *"--density -1 -o a.igs --turn 3".split())
     assert outcome.code == 2
-    for text in ("bore = -3 mm", "--density = -1", "--output a.obj", "--turn: applies to a pair"):
+    for text in ("bore = -3 mm", "--density = -1", "--output a.igs", "--turn: applies to a pair"):
         assert text in outcome.err
 
 

@@ -87,9 +87,9 @@ def test_errors_are_those_of_the_element_with_options_for_names(run):
 
 
 def test_common_options_are_refused_together_with_the_others(run):
-    outcome = run("bevel", *"--teeth 16 2 --module 4 --face-width 10 --density -1 --tolerance 1 -o a.obj".split())
+    outcome = run("bevel", *"--teeth 16 2 --module 4 --face-width 10 --density -1 --tolerance 1 -o a.igs".split())
     assert outcome.code == 2
-    for text in ("--teeth = (16, 2)", "--density = -1", "--output a.obj"):
+    for text in ("--teeth = (16, 2)", "--density = -1", "--output a.igs"):
         assert text in outcome.err
 
 

@@ -90,7 +90,7 @@ REFUSALS = [
     ("--section outline.csv --length 3 --frame frenet", ("--frame = 'frenet': does not apply",)),
     ("--section outline.csv --length 0x3 --angle 3", ("--length", "not together with angle")),
     ("--section outline.csv --angle 400", ("--angle = 400°: at most 360",)),
-    ("--section outline.csv --length 3 --density -1 -o a.obj", ("--density = -1", "--output a.obj")),
+    ("--section outline.csv --length 3 --density -1 -o a.igs", ("--density = -1", "--output a.igs")),
     ("--section outline.csv --length 3 --placed --picture a.png", ("--placed: applies to a pair",)),
     ("--section outline.csv --length 3 --transform f1", ("Unknown option: --transform",)),
     ("--section outline.csv --length 3 -o outline.csv/a.stl", ("outline.csv: cannot be a folder",)),

@@ -45,6 +45,11 @@ def build() -> cyclopts.App:
         help="Check files of bodies: closed, outward, not crossing.",
     )
     app.command(
+        f"{__package__}.convert:convert",
+        name="convert",
+        help="Convert bodies, drawings and designs into files of other formats.",
+    )
+    app.command(
         f"{__package__}.demo:demo", name="demo", help="Build a bevel pair; compare exact with polyhedral values."
     )
     return app

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter as Option
 
+from .. import catalog
 from ..errors import ProblemsError
-from .common_options import DEFAULT, FLATTENED
+from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
 from .design import read_design
 from .kinds import article, element_of, said
@@ -26,6 +27,12 @@ def build(
 
     Names of files in it are relative to it. `gearwright schema` says what it may hold.
     """
+    kind, element = designed(design, outputs)
+    return deliver(kind, element, outputs, str)
+
+
+def designed(design: Path, outputs: Outputs) -> tuple[catalog.Element, Any]:
+    """The kind of element in a design file, and the element. Raises GearwrightError, for these outputs, too."""
     found = read_design(design)
     element, problems = element_of(found.kind, found.kinds, found.values, str)
     problems = problems + outputs.problems(found.kind)
@@ -33,4 +40,4 @@ def build(
         raise ProblemsError(
             f"{design}: {article(found.kind.name)} {said(found.kind, found.kinds, str)} cannot be built so", problems
         )
-    return deliver(found.kind, element, outputs, str)
+    return found.kind, element

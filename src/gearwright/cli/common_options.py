@@ -16,8 +16,10 @@ from ..parameters import Parameter
 from .options import OUTPUT, option_name
 
 TOLERANCE = Parameter(meaning="largest chord distance of the polyhedron", unit="length", above=0)
+CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", unit="length", minimum=0)
 TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 
+_PLAY = "give the parts their play by backlash, tip clearance and bores; or write polygons, as .3mf or .stl"
 _NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
 
 DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
@@ -73,6 +75,12 @@ def _one_file_twice(files: Mapping[str, Path | None]) -> list[Problem]:
     return problems
 
 
+def written_suffixes(holds: str = "") -> list[str]:
+    """Of files of bodies that can be written, of all or of those that hold "polygons" or "smooth faces"."""
+    formats = (one for one in catalog.FILE_FORMATS if one.writer and holds in ("", one.holds))
+    return [suffix for one in formats for suffix in one.suffixes]
+
+
 @dataclass(frozen=True, kw_only=True)
 class Outputs:
     """Options common to all elements; whether they can be used is the question of `problems`."""
@@ -82,9 +90,20 @@ class Outputs:
         Path | None,
         Option(
             name=["--output", "-o"],
-            help="Write polyhedra: a file.stl (a pair: both members in mesh), or a folder for one file a member;"
-            " or for simulators, with masses: a file.urdf, .sdf or .xml (MJCF).",
+            help="Write a file in the format of its suffix (a pair: both members in mesh), or a folder for one file a"
+            f" member ({', '.join(written_suffixes())}). Those for simulators need a density.",
             metavar="PATH",
+        ),
+    ] = None
+    format: Annotated[
+        str | None,
+        Option(help="Format of the files in a folder, as a suffix.", metavar="SUFFIX", show_default="stl"),
+    ] = None
+    clearance: Annotated[
+        float | None,
+        Option(
+            help="Gap between printed surfaces that would touch: faces of polyhedra lie half of it deeper (≥ 0).",
+            metavar="LENGTH",
         ),
     ] = None
     placed: Annotated[
@@ -169,6 +188,31 @@ class Outputs:
             return [Problem(option_name("diagram"), _applies_to([one for one in catalog.ELEMENTS if one.diagram]))]
         return _wrong_suffix("diagram", self.diagram, [".png", ".svg"])
 
+    @property
+    def suffix(self) -> str:
+        """Of the files in a folder."""
+        return "." + (self.format or "stl").lower().removeprefix(".")
+
+    def _format_problems(self) -> list[Problem]:
+        """What is wrong with the format of files in a folder, and with a clearance in formats of smooth faces."""
+        problems = []
+        in_folder = self.output is not None and self.output != Path() and not self.output.suffix
+        if self.format is not None and self.suffix not in written_suffixes():
+            known = ", ".join(suffix[1:] for suffix in written_suffixes())
+            problems.append(Problem(f"--format {self.format}", f"one of {known} is needed"))
+        if self.format is not None and not in_folder:
+            named = (
+                f"--output {self.output} names a file, whose suffix is its format" if self.output else "none is named"
+            )
+            problems.append(
+                Problem(f"--format {self.format}", f"applies to the files in a folder (-o FOLDER); {named}")
+            )
+        suffix = self.suffix if in_folder else self.output.suffix.lower() if self.output else ""
+        if self.clearance and suffix in written_suffixes("smooth faces"):
+            given = f"--clearance {self.clearance:g}"
+            problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds smooth ones; {_PLAY}"))
+        return problems
+
     def _running_problems(self, kind: catalog.Element) -> list[Problem]:
         if not self.running or kind.running is not None:
             return []
@@ -176,7 +220,6 @@ class Outputs:
 
     def problems(self, kind: catalog.Element) -> list[Problem]:
         """What is wrong with these options, for an element of a kind."""
-        written = [suffix for f in catalog.FILE_FORMATS if f.writer for suffix in f.suffixes]
         file = self.output if self.output is not None and self.output.suffix else None
         files = {
             "output": self.output,
@@ -185,16 +228,17 @@ class Outputs:
             "convergence": self.plot,
         }
         nameless = [name for name, path in files.items() if path == Path()]
-        limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN}
+        limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN, "clearance": CLEARANCE}
         pairs_only = {"placed": self.placed, "turn": self.turn is not None}
-        files_only = {"placed": self.placed, "tolerance": self.tolerance is not None}
+        given = {name: getattr(self, name) is not None for name in ("tolerance", "clearance")}
+        files_only = {"placed": self.placed, **given}
         writes = self.output is not None or self.picture is not None
         return [
             *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
             *self._material_problems(),
             *self._mechanism_problems(),
             *(Problem(option_name(name), "a name is needed") for name in nameless),
-            *_wrong_suffix("output", file, written),
+            *_wrong_suffix("output", file, written_suffixes()),
             *_one_file_twice({**files, "diagram": self.diagram}),
             *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
             *(_wrong_suffix("drawing", self.drawing, [".dxf", ".svg"]) if "drawing" not in nameless else []),
@@ -204,6 +248,7 @@ class Outputs:
                 else []
             ),
             *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
+            *self._format_problems(),
             *self._diagram_problems(kind),
             *self._running_problems(kind),
             *(

@@ -75,7 +75,7 @@ def demo(
 
 def _write(built: Built, folder: Path) -> None:
     with progress(f"{built.title}: files"):
-        parts = placed_parts(built, tolerance=None)
+        parts = placed_parts(built, tolerance=None, clearance=0.0)
         save_parts(parts, folder, built.units.length)
         draw_parts(parts, folder / "pair.png", built.title, built.units.length)
 

@@ -20,13 +20,14 @@ def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
     """Writes polyhedra and pictures as asked for, and adds the path of each to those written."""
     if outputs.output is None and outputs.picture is None:
         return
-    parts = placed_parts(built, outputs.tolerance)
+    parts = placed_parts(built, outputs.tolerance, outputs.clearance or 0.0)
     if outputs.output is not None:
         with progress(f"{outputs.output}"):
             if outputs.mechanism is not None:
                 written += _save_mechanism(built, outputs)
             else:
-                written += save_parts(parts, outputs.output, built.units.length, placed=outputs.placed)
+                length_unit, placed = built.units.length, outputs.placed
+                written += save_parts(parts, outputs.output, length_unit, suffix=outputs.suffix, placed=placed)
     if outputs.picture is not None:
         with progress("picture"):
             draw_parts(parts, outputs.picture, built.title, built.units.length)
@@ -52,8 +53,8 @@ def draw(element: Element, path: Path) -> Path:
     return path
 
 
-def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
-    """The parts where they mesh, to be written or drawn within a tolerance (length)."""
+def placed_parts(built: Built, tolerance: float | None, clearance: float) -> list[PlacedPart]:
+    """The parts where they mesh, to be written or drawn within a tolerance and with a clearance (lengths)."""
     parts = []
     for name, part in built.parts.items():
         label = f"{name}\n{part.gear.description}"
@@ -65,6 +66,7 @@ def placed_parts(built: Built, tolerance: float | None) -> list[PlacedPart]:
                 placement=part.placement,
                 upward=part.gear.upward,
                 tolerance=tolerance,
+                clearance=clearance,
             )
         )
     return parts

@@ -32,6 +32,7 @@ class PlacedPart:
     label      what stands beside it in a picture
     upward     which way the axis, z, points when the part is drawn alone, so that its teeth are seen
     tolerance  how far (length) what is written or drawn may lie from its surface; None for the defaults
+    clearance  gap (length) that what is written leaves to parts that would touch it
     """
 
     name: str
@@ -40,6 +41,7 @@ class PlacedPart:
     placement: Array
     upward: Literal[1, -1] = 1
     tolerance: float | None = None
+    clearance: float = 0.0
 
     @cached_property
     def solid(self) -> PlacedSolid:
@@ -50,6 +52,7 @@ class PlacedPart:
             placement=self.placement,
             tolerance=self.tolerance,
             smooth_tolerance=self.element.smooth_tolerance,
+            clearance=self.clearance,
         )
 
     @property

@@ -16,7 +16,6 @@ from ..parameters import MILLIMETRES, Problems, Size
 from ..sections.plane import Section
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
-from ..solids.robots import density_for, save_mechanism
 from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
@@ -85,19 +84,24 @@ class Element(ABC):
         """How far (length) smooth faces in a file may lie from the part's; None where it has no size of its own."""
         return None
 
-    def save(self, path: str | Path, tolerance: float | None = None, *, density: str | float | None = None) -> None:
+    def save(
+        self,
+        path: str | Path,
+        tolerance: float | None = None,
+        *,
+        clearance: float = 0.0,
+        density: str | float | None = None,
+    ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        clearance   gap (length) between printed parts that would touch, as of `Solid.save`
+        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
-        Raises FileError, MachineError; GeometryError where the tolerance cannot be met.
+        Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         name = Path(path).stem
-        needed = density_for(path, density)
-        if needed is not None:
-            save_mechanism(path, self.mechanism(name, needed, tolerance))
-            return
-        save_solids(path, [replace(self._part(tolerance).solid, name=name)], name=name, length_unit=self.length_unit)
+        solid = replace(self._part(tolerance).solid, name=name, clearance=clearance)
+        save_solids(path, [solid], name=name, length_unit=self.length_unit, density=density)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The part as a shape of Open CASCADE (OCP.TopoDS), in its length unit; see `Solid.to_ocp`."""

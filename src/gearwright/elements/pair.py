@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from ..files.robots.mechanism import Mechanism
 from ..parameters import Size
 from ..sections.drawings import Profile, write
 from ..solids.robots import density_for, refuse_density, save_mechanism
+from ..solids.saving import refuse_clearance
 from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .element import Element
@@ -85,19 +87,31 @@ class Pair(ABC):
         """
         return part_mechanism(name, self.parts(tolerance, turn), density, self.length_unit, self.following, turn)
 
-    def save(self, path: str | Path, tolerance: float | None = None, *, density: str | float | None = None) -> None:
+    def save(
+        self,
+        path: str | Path,
+        tolerance: float | None = None,
+        *,
+        clearance: float = 0.0,
+        density: str | float | None = None,
+        suffix: str = ".stl",
+    ) -> None:
         """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
 
-        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        clearance   gap (length) between the printed members where they would touch, as of `Solid.save`
+        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        suffix      of the files in a folder, which is their format
 
-        Raises FileError, MachineError.
+        Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
+        parts = [replace(part, clearance=clearance) for part in self.parts(tolerance)]
         if not Path(path).suffix:
             refuse_density(path, density)
         elif (needed := density_for(path, density)) is not None:
+            refuse_clearance(path, clearance)
             save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance))
             return
-        save_parts(self.parts(tolerance), Path(path), self.length_unit)
+        save_parts(parts, Path(path), self.length_unit, suffix=suffix)
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profiles of both members in mesh, each on its own layer, as a DXF or SVG drawing.

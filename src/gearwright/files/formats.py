@@ -19,6 +19,9 @@ class FileFormat:
     writer     a function of a path and an Assembly of what the format holds, or a Mechanism; None where it is not
                written
     holds      polygon faces, or smooth ones; or a mechanism: bodies with masses on joints
+    bodies     whether bodies stay apart, by their names, in what is written
+    has_unit   whether what is written always states a unit of length
+    up         the axis that points up
     """
 
     name: str
@@ -27,6 +30,9 @@ class FileFormat:
     parser: Source | None = None
     writer: Source | None = None
     holds: Literal["polygons", "smooth faces", "mechanism"] = "polygons"
+    bodies: bool = False
+    has_unit: bool = False
+    up: Literal["y", "z"] = "z"
 
 
 FILE_FORMATS = (
@@ -42,12 +48,19 @@ FILE_FORMATS = (
         summary="placed meshes with a unit, in a zip package",
         suffixes=(".3mf",),
         parser="gearwright.files.three_mf.bodies:parse",
+        writer="gearwright.files.three_mf.writer:write",
+        bodies=True,
+        has_unit=True,
     ),
     FileFormat(
         name="glTF",
         summary="a scene of meshes, as text or binary; lengths in metres",
         suffixes=(".gltf", ".glb"),
         parser="gearwright.files.gltf.scene:parse",
+        writer="gearwright.files.gltf.writer:write",
+        bodies=True,
+        has_unit=True,
+        up="y",
     ),
     FileFormat(
         name="STEP",
@@ -56,24 +69,30 @@ FILE_FORMATS = (
         parser="gearwright.files.step.reading:parse",
         writer="gearwright.files.step.writer:write",
         holds="smooth faces",
+        bodies=True,
+        has_unit=True,
     ),
     FileFormat(
         name="OBJ",
         summary="polygons in objects or groups",
         suffixes=(".obj",),
         parser="gearwright.files.obj.reader:parse",
+        writer="gearwright.files.obj.writer:write",
+        bodies=True,
     ),
     FileFormat(
         name="OFF",
         summary="polygons, text or binary",
         suffixes=(".off",),
         parser="gearwright.files.off.reader:parse",
+        writer="gearwright.files.off.writer:write",
     ),
     FileFormat(
         name="PLY",
         summary="polygons, text or binary",
         suffixes=(".ply",),
         parser="gearwright.files.ply.reader:parse",
+        writer="gearwright.files.ply.writer:write",
     ),
     FileFormat(
         name="URDF",

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from ..arrays import Array, Indices
+from ..errors import FileError
 
 _DOUBLE = 16
 """Digits from which a number keeps double precision, whose spacing is 1.1e-16 to 2.2e-16."""
@@ -19,6 +21,9 @@ _SHORT = 6
 
 _KINDS = 5
 """Different last digits, of ten, from which short numbers are rounded ones; lengths meant as such end in 0 and 5."""
+
+_COARSEST = 1e-4
+"""Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,3 +80,22 @@ def single_precision(largest: float) -> float:
     with np.errstate(over="ignore"):
         spacing = float(np.spacing(np.float32(largest)))
     return spacing / 2.0 if np.isfinite(spacing) else 0.0
+
+
+def in_single_precision(path: str | Path, form: str, vertices: Array) -> Array:
+    """The vertices (n, 3) of a body rounded to single precision, still as float64.
+
+    Raises FileError where it would move points by more than 1e-4 of the body's diagonal, or is beyond its numbers.
+    """
+    if not len(vertices):
+        return vertices
+    with np.errstate(over="ignore"):
+        single = vertices.astype(np.float32).astype(np.float64)
+    error = float(np.abs(single - vertices).max())
+    diagonal = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
+    if not error <= _COARSEST * diagonal:
+        raise FileError(
+            f"{path}: single precision, all that {form} has, would move points by {error:.3g}, and the body measures"
+            f" {diagonal:.3g}; move it to the origin, or use a length unit that suits it"
+        )
+    return single

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..errors import FileError
+from ..errors import FileError, GeometryError
 from ..sources import load
 from .assembly import Assembly, Faceted
 from .formats import FILE_FORMATS, format_of
@@ -13,8 +13,8 @@ from .formats import FILE_FORMATS, format_of
 def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
     """Writes bodies bounded by polygons, whole or not at all.
 
-    Raises FileError, also for a format of smooth faces; MachineError; GeometryError where the format needs triangles
-    that a face cannot be cut into.
+    Raises FileError, also for a format of smooth faces and a part without faces; MachineError; GeometryError where the
+    format needs triangles that a face cannot be cut into.
     """
     format_ = format_of(path, "written")
     if format_.holds == "mechanism":
@@ -28,4 +28,11 @@ def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
             f"{path}: {format_.name} holds smooth faces, and polygons are given; a solid that was built here can be"
             f" written so, polygons as {', '.join(others)}"
         )
-    load(format_.writer or "")(path, assembly)
+    bare = [part.name for part in assembly.parts if len(part.shape.offsets) < 2]
+    if bare:
+        raise FileError(f"{path}: a file of bodies holds faces, and {', '.join(bare)} has none; leave it out")
+    try:
+        load(format_.writer or "")(path, assembly)
+    except GeometryError as error:
+        headline = f"{path}: {format_.name} holds triangles; .obj, .off and .ply hold any polygons"
+        raise GeometryError(headline, error.problems) from error

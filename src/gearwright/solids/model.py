@@ -8,8 +8,10 @@ from functools import cached_property
 from pathlib import Path
 
 from ..files import reading
+from ..files.assembly import Assembly, Part
 from ..files.contents import Body, Contents, SmoothProperties
 from ..files.welding import welded
+from ..files.writing import save_polygons
 from ..moments.faces import Corners
 from .polyhedron import Polyhedron
 
@@ -44,6 +46,18 @@ class Model:
             length_unit=contents.length_unit,
             remarks=contents.remarks,
         )
+
+    def save(self, path: str | Path, *, length_unit: str | None = None) -> None:
+        """Writes the bodies by their names to a file in the format of its suffix, whole or not at all.
+
+        length_unit   of files that state none; None for that of the model
+
+        Raises FileError, also where the format holds smooth faces, or a unit that nobody knows; MachineError;
+        GeometryError if a face cannot be cut into triangles where the format needs it.
+        """
+        parts = tuple(Part(name=name, shape=body) for name, body in self.bodies.items())
+        unit = self.length_unit or length_unit
+        save_polygons(path, Assembly(name=Path(path).stem, parts=parts, length_unit=unit))
 
     @cached_property
     def polyhedron(self) -> Polyhedron:

@@ -14,11 +14,12 @@ from ..arrays import Array
 from ..boundary.boundary import Boundary
 from ..boundary.extent import rough_diagonal
 from ..colours import Colour
-from ..errors import GeometryError, Problem
+from ..errors import FileError, GeometryError, Problem
 from ..files.assembly import Assembly, Part, Smooth
 from ..files.formats import format_of
 from ..files.writing import save_polygons
 from ..sources import load
+from .clearance import with_clearance
 from .polyhedron import Polyhedron
 from .properties import MassProperties
 
@@ -44,6 +45,7 @@ class PlacedSolid:
     tolerance         how far (length) written faces may lie from its own; None: SMOOTH_TOLERANCE or smooth_tolerance
                       for smooth faces, 1e-4 × bounding diagonal for chords
     smooth_tolerance  what suits this solid
+    clearance         gap (length) that its polyhedron leaves to others that would touch it
     """
 
     name: str
@@ -52,11 +54,12 @@ class PlacedSolid:
     colour: Colour | None = None
     tolerance: float | None = None
     smooth_tolerance: float | None = None
+    clearance: float = 0.0
 
     @cached_property
     def polyhedron(self) -> Polyhedron:
         """In the solid's own frame."""
-        return self.solid.polyhedron(self.tolerance)
+        return with_clearance(self.solid.polyhedron(self.tolerance), self.clearance)
 
     @property
     def smooth(self) -> Smooth:
@@ -90,15 +93,28 @@ def save_solids(
     """
     from .robots import density_for, mechanism_of, save_mechanism
 
+    clearance = max(solid.clearance for solid in solids)
     needed = density_for(path, density)
     if needed is not None:
+        refuse_clearance(path, clearance)
         save_mechanism(path, mechanism_of(name, solids, needed, length_unit or ""))
         return
     if format_of(path, "written").holds == "smooth faces":
+        refuse_clearance(path, clearance)
         save_smooth(path, solids, name=name, length_unit=length_unit)
         return
     parts = tuple(Part(name=s.name, shape=s.polyhedron, placement=s.placement, colour=s.colour) for s in solids)
     save_polygons(path, Assembly(name=name, parts=parts, length_unit=length_unit))
+
+
+def refuse_clearance(path: str | Path, clearance: float) -> None:
+    """Raises FileError for a clearance in a file of anything but polygons."""
+    if clearance:
+        raise FileError(
+            f"{path}: clearance = {clearance:g} moves faces of polyhedra for printing, and this format holds others;"
+            " leave it out and give the parts their play themselves: backlash, tip clearance, smaller bores; or write"
+            " polygons, as .3mf or .stl"
+        )
 
 
 def save_smooth(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:

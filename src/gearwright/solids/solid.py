@@ -64,19 +64,21 @@ class Solid(ABC):
         tolerance: float | None = None,
         length_unit: str = "mm",
         *,
+        clearance: float = 0.0,
         density: str | float | None = None,
     ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        density   the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        clearance   gap (length) between printed parts that would touch: faces of polyhedra lie half of it deeper
+        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
 
-        Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError,
-        MachineError; GeometryError where the tolerance cannot be met.
+        Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError, also for
+        a clearance of smooth faces; MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         from .saving import PlacedSolid, save_solids
 
         name = Path(path).stem
-        placed = PlacedSolid(name=name, solid=self, tolerance=tolerance)
+        placed = PlacedSolid(name=name, solid=self, tolerance=tolerance, clearance=clearance)
         save_solids(path, [placed], name=name, length_unit=length_unit, density=density)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:

@@ -8,10 +8,10 @@ from ...errors import FileError
 from ..text.places import shown
 from .document import Value, document
 
-_MAGIC = b"glTF"
-_HEADER = struct.Struct("<4sII")
-_CHUNK = struct.Struct("<I4s")
-_JSON, _BINARY = b"JSON", b"BIN\0"
+MAGIC = b"glTF"
+HEADER = struct.Struct("<4sII")
+CHUNK = struct.Struct("<I4s")
+JSON, BINARY = b"JSON", b"BIN\0"
 
 
 def opened(data: bytes, file: str) -> tuple[Value, bytes | None]:
@@ -19,7 +19,7 @@ def opened(data: bytes, file: str) -> tuple[Value, bytes | None]:
 
     Raises FileError if the data are no glTF 2 file, or are cut off.
     """
-    text, binary = _chunks(data, file) if data[:4] == _MAGIC else (data, None)
+    text, binary = _chunks(data, file) if data[:4] == MAGIC else (data, None)
     found = document(text, file)
     version = found.member("asset").text("version")
     if not version.startswith("2."):
@@ -29,9 +29,9 @@ def opened(data: bytes, file: str) -> tuple[Value, bytes | None]:
 
 
 def _chunks(data: bytes, file: str) -> tuple[bytes, bytes | None]:
-    if len(data) < _HEADER.size:
+    if len(data) < HEADER.size:
         raise FileError(f"{file}: a binary glTF file of {len(data)} bytes; it is cut off; write or copy it again")
-    _, version, length = _HEADER.unpack_from(data)
+    _, version, length = HEADER.unpack_from(data)
     if version != 2:
         raise FileError(f"{file}: a binary glTF file of version {version}; version 2 is read; write it again")
     if length != len(data):
@@ -40,18 +40,18 @@ def _chunks(data: bytes, file: str) -> tuple[bytes, bytes | None]:
             " attached; write or copy it again"
         )
     found: list[tuple[bytes, bytes]] = []
-    place = _HEADER.size
+    place = HEADER.size
     while place < length and len(found) < 2:  # whatever follows these two is for extensions
-        if place + _CHUNK.size > length:
+        if place + CHUNK.size > length:
             raise FileError(f"{file}: ends inside the header of a chunk; write or copy it again")
-        size, kind = _CHUNK.unpack_from(data, place)
-        place += _CHUNK.size
+        size, kind = CHUNK.unpack_from(data, place)
+        place += CHUNK.size
         if place + size > length:
             raise FileError(
                 f"{file}: a chunk announces {size} bytes where {length - place} are left; write or copy it again"
             )
         found.append((kind, data[place : place + size]))
         place += size
-    if not found or found[0][0] != _JSON:
+    if not found or found[0][0] != JSON:
         raise FileError(f"{file}: a binary glTF file whose first chunk is not JSON; write it again")
-    return found[0][1], found[1][1] if len(found) == 2 and found[1][0] == _BINARY else None
+    return found[0][1], found[1][1] if len(found) == 2 and found[1][0] == BINARY else None

@@ -10,6 +10,7 @@ from ...arrays import Indices
 from ...errors import FileError
 from ...moments.faces import Corners
 from ..contents import Body, Contents, Data
+from ..noted_unit import noted_unit
 from ..parts import apart
 from ..rounding import Written
 from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
@@ -60,7 +61,7 @@ def parse(data: Data, name: str) -> Contents:
             body_names, apart(table, Corners(indices, offsets), owners, len(body_names)), strict=True
         )
     )
-    return Contents(bodies=bodies, remarks=_remarks(left_out))
+    return Contents(bodies=bodies, length_unit=noted_unit(lines), remarks=_remarks(left_out))
 
 
 def _joined(text: bytes) -> bytes:

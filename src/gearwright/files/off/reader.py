@@ -15,6 +15,7 @@ import numpy as np
 from ...errors import FileError
 from ...moments.faces import Corners
 from ..contents import Body, Contents, Data
+from ..noted_unit import noted_unit
 from ..parts import used_alone
 from ..rounding import Written
 from ..text.decimals import NO_NUMBER, NOT_FINITE, none_late, none_seen, read_late
@@ -50,7 +51,7 @@ def parse(data: Data, name: str) -> Contents:
         body = parse_binary(data, data.find(b"\n", header.end()) + 1 or len(data), header["parts"].decode(), name)
     else:
         body = _text(text, header, name)
-    return Contents(bodies=(body,))
+    return Contents(bodies=(body,), length_unit=noted_unit(data))
 
 
 def _require_three_dimensions(path: str, header: re.Match[bytes]) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import FileError
 from ..contents import Body, Contents, Data
+from ..noted_unit import noted_unit
 from ..parts import used_alone
 from ..rounding import single_precision
 from ..text.places import AGAIN
@@ -41,7 +42,7 @@ def parse(data: Data, name: str) -> Contents:
         offsets=corners.offsets,
         rounding=max(rounding, _rounding_of_type(header, points)),
     )
-    return Contents(bodies=(body,), remarks=_remarks(header))
+    return Contents(bodies=(body,), length_unit=noted_unit(data), remarks=_remarks(header))
 
 
 def _require_body(path: str, header: Header) -> None:

@@ -12,9 +12,10 @@ from ...arrays import Array, Indices
 from ...errors import FileError
 from ...moments.soup import NOUGHT
 from ..contents import Body, Contents, Data
+from ..noted_unit import noted_unit
 from ..rounding import single_precision
 from ..welding import Points, welded
-from .layout import HEADER, RECORD, START, UNIT
+from .layout import HEADER, RECORD, START
 from .text import looks_like_text, parse_text
 
 _ABSURD = 1000  # times more than the file has: what stands for a count is none
@@ -34,8 +35,7 @@ def parse(data: Data, name: str) -> Contents:
     data = bytes(data)
     if not data:
         raise FileError(f"{name}: the file is empty; an STL file was expected; write it again")
-    found = UNIT.search(data[:HEADER])
-    length_unit = found[1].decode() if found else None
+    length_unit = noted_unit(data[:HEADER])
     count = int.from_bytes(data[HEADER:START], "little") if len(data) >= START else 0
     needed = START + count * RECORD.itemsize
     if (len(data) < START or len(data) != needed) and looks_like_text(data):

@@ -10,14 +10,15 @@ from numpy.typing import NDArray
 
 from ... import disk
 from ...errors import FileError
-from .layout import HEADER, RECORD, START, UNIT
+from ..noted_unit import noted_unit
+from .layout import HEADER, RECORD, START
 
 
 @dataclass(frozen=True, kw_only=True)
 class Records:
     """The triangles of a binary STL file, read when they are asked for.
 
-    length_unit   "mm" or "in" where the header says it, as files of ours do
+    length_unit   where the header says it, as files of ours do
     """
 
     path: Path
@@ -48,5 +49,4 @@ def records(path: str | Path) -> Records:
             f"{path}: not a whole binary STL file: {size} bytes, where {count} triangles take"
             f" {START + count * RECORD.itemsize}; only binary STL files can be read in passing, others must be loaded"
         )
-    found = UNIT.search(start[:HEADER])
-    return Records(path=Path(path), count=count, length_unit=found[1].decode() if found else None)
+    return Records(path=Path(path), count=count, length_unit=noted_unit(start[:HEADER]))

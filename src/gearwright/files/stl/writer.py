@@ -15,13 +15,13 @@ from ...arrays import Array, Indices
 from ...errors import FileError
 from ...moments.faces import triangle_vectors
 from ..assembly import Assembly, Faceted, placed_vertices
+from ..noted_unit import unit_note
+from ..rounding import in_single_precision
 from .layout import HEADER, RECORD
 
 _MOST = 2**32 - 1
-_BLOCK = 1 << 18
-
-_COARSEST = 1e-4
-"""Rounding to single precision, relative to the body's diagonal, beyond which writing is refused."""
+_BLOCK = 1 << 15
+"""Triangles at a time, which stay in the cache of a processor."""
 
 
 def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
@@ -36,30 +36,14 @@ def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
     count = sum(len(triangles) for _, triangles in pieces)
     if count > _MOST:
         raise FileError(f"{path}: {count} triangles; an STL file holds at most {_MOST}; use a coarser tolerance")
-    rounded = [(_single_precision(str(path), vertices), triangles) for vertices, triangles in pieces]
-    head = f"Gearwright binary STL, lengths in {assembly.length_unit or 'an unknown unit'}"
+    rounded = [(in_single_precision(path, "STL", vertices), triangles) for vertices, triangles in pieces]
+    head = unit_note("binary STL", assembly.length_unit)
     with disk.written_whole(path) as stream:
         stream.write(head.encode("ascii", "replace")[:HEADER].ljust(HEADER))
         stream.write(count.to_bytes(4, "little"))
         for single, triangles in rounded:
             for start in range(0, len(triangles), _BLOCK):
                 stream.write(_records(single, triangles[start : start + _BLOCK]).data)
-
-
-def _single_precision(path: str, vertices: Array) -> Array:
-    """The vertices rounded to single precision, still as float64."""
-    if not len(vertices):
-        return vertices
-    with np.errstate(over="ignore"):
-        single = vertices.astype(np.float32).astype(np.float64)
-    error = float(np.abs(single - vertices).max())
-    diagonal = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
-    if not error <= _COARSEST * diagonal:
-        raise FileError(
-            f"{path}: single precision, all that STL has, would move points by {error:.3g}, and the body measures"
-            f" {diagonal:.3g}; move it to the origin, or use a length unit that suits it"
-        )
-    return single
 
 
 def _records(vertices: Array, triangles: Indices) -> NDArray[np.void]:

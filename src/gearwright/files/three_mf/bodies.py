@@ -18,9 +18,9 @@ from .model_part import read_part
 from .package import Package, part_name
 from .xml import Reader
 
-_RELATIONSHIPS = "_rels/.rels"
-_MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
-_DEFAULT_START = "3D/3dmodel.model"
+RELATIONSHIPS = "_rels/.rels"
+MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
+DEFAULT_START = "3D/3dmodel.model"
 
 
 def parse(data: Data, name: str) -> Contents:
@@ -141,10 +141,10 @@ def _start_part(package: Package) -> str:
     targets: list[str] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        if tag.rpartition("|")[2] == "Relationship" and attributes.get("Type") == _MODEL_TYPE:
+        if tag.rpartition("|")[2] == "Relationship" and attributes.get("Type") == MODEL_TYPE:
             targets.append(attributes.get("Target", ""))
 
-    if _RELATIONSHIPS in package:
-        reader = Reader(f"{package.name}: {_RELATIONSHIPS}", start, lambda _: None)
-        reader.feed(package.chunks(_RELATIONSHIPS))
-    return part_name(targets[0], package.name) if targets else _DEFAULT_START
+    if RELATIONSHIPS in package:
+        reader = Reader(f"{package.name}: {RELATIONSHIPS}", start, lambda _: None)
+        reader.feed(package.chunks(RELATIONSHIPS))
+    return part_name(targets[0], package.name) if targets else DEFAULT_START

@@ -1,0 +1,26 @@
+"""Text out: rows of numbers, and names that every format can hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...arrays import Array, Indices
+
+_BLOCK = 1 << 15
+"""Rows at a time: one formatting of many numbers is several times faster than many of one."""
+
+
+def rows(template: str, table: Array | Indices) -> Iterator[bytes]:
+    """The rows of a table (n, k), each by a template such as "%r %r %r\\n", a block of rows at a time.
+
+    %r of float64 gives the fewest digits that stand for the same number.
+    """
+    for start in range(0, len(table), _BLOCK):
+        block = table[start : start + _BLOCK]
+        yield (template * len(block) % tuple(block.reshape(-1).tolist())).encode("ascii")
+
+
+def one_line(name: str) -> str:
+    """A name without line ends and control characters; what no text in UTF-8 can hold becomes "?"."""
+    visible = "".join(c if c.isprintable() else " " if c.isspace() else "?" for c in name)
+    return " ".join(visible.split())
