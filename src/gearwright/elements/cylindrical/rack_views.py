@@ -1,0 +1,64 @@
+"""Views of a rack: its teeth, and the section across them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...sheets.line_kinds import CENTRE, THIN, VISIBLE
+from ...sheets.marks import Stroke, line, polyline
+from ...sheets.views import Span, View
+from ..drafting import box, cut, drawn, outlines
+
+if TYPE_CHECKING:
+    from .rack import Rack
+
+_FEW = 12  # teeth, up to which all are drawn
+_SHOWN = 3  # at either end, where there are more
+
+
+def rack_views(rack: Rack) -> tuple[View, ...]:
+    """The view across the teeth, tips up, and the section along them."""
+    tooth, b, back = rack.tooth, rack.face_width, rack.back
+    length = rack.teeth * tooth.circular_pitch
+    (chain,) = outlines(rack.profile, np.pi / 2.0)
+    left, right = -length + tooth.circular_pitch / 2.0, tooth.circular_pitch / 2.0
+    shown = drawn((chain,))
+    if rack.teeth > _FEW:
+        shown = _few_teeth(rack, chain, left, right)
+    more = 0.02 * length
+    front = View(
+        title="Seen along the teeth, from z = b" if not rack.helix.angle else "Transverse section",
+        strokes=(*shown, line((left - more, 0.0), (right + more, 0.0), CENTRE)),
+        dimensions=(
+            Span(start=(left, -back), end=(right, -back), side="below"),
+            Span(start=(left, -back), end=(left, 0.0), side="left"),
+            Span(start=(right, -back), end=(right, tooth.addendum), side="right"),
+        ),
+    )
+    strokes, hatches = cut(box(0.0, -back, b, -tooth.dedendum))
+    teeth = polyline(
+        [(0.0, -tooth.dedendum), (0.0, tooth.addendum), (b, tooth.addendum), (b, -tooth.dedendum)], VISIBLE
+    )
+    section = View(
+        title="Section through a space",
+        strokes=(*strokes, teeth, line((-0.05 * b, 0.0), (1.05 * b, 0.0), CENTRE)),
+        hatches=hatches,
+        dimensions=(Span(start=(0.0, -back), end=(b, -back), side="below"),),
+    )
+    return front, section
+
+
+def _few_teeth(rack: Rack, chain: tuple, left: float, right: float) -> tuple[Stroke, ...]:
+    """The teeth at both ends on their true outline; between them tips as a thick line, roots as a thin one."""
+    tooth, back = rack.tooth, rack.back
+    reach = _SHOWN * tooth.circular_pitch
+    kept = []
+    for one in chain:
+        middle = (one.start + one.end) / 2.0
+        if middle[1] <= -back * (1.0 - 1e-9) or min(middle[0] - left, right - middle[0]) < reach:
+            kept.append(Stroke(chain=(one,), kind=VISIBLE))
+    tips = line((left + reach, tooth.addendum), (right - reach, tooth.addendum), VISIBLE)
+    roots = line((left + reach, -tooth.dedendum), (right - reach, -tooth.dedendum), THIN)
+    return (*kept, tips, roots)
