@@ -76,6 +76,10 @@ PAIR_SIZES: Labels = {
 }
 
 
+_OBLIQUE = ("transverse_pressure_angle", "base_helix_angle")
+"""Sizes that straight teeth do not have apart from others."""
+
+
 def size_rows(sizes: Mapping[str, Size], labels: Labels, length_unit: str) -> list[Row]:
     """Rows of the sizes that have a label, in the order of the labels."""
     return [Row.of(label, sizes[name], length_unit) for name, label in labels.items() if name in sizes]
@@ -112,15 +116,14 @@ def _given(element: Any, fields: Sequence[tuple[str, str, str, Any]]) -> list[Ro
 
 def cylindrical_rows(gear: Any) -> tuple[Row, ...]:
     """Data of a gear or rack on parallel axes, with the symbols of ISO 21771."""
-    unit, sizes = gear.length_unit, gear.sizes()
-    helical = bool(gear.helix.angle)
+    unit = gear.length_unit
+    sizes = {name: size for name, size in gear.sizes().items() if gear.helix.angle or name not in _OBLIQUE}
     shift = getattr(gear, "profile_shift", None)
     return (
         *_teeth(gear),
         *_pitch(gear, "m_n", "Normal module", gear.normal_module),
         Row(name="Pressure angle, normal", symbol="α_n", value=of_unit(gear.pressure_angle, "angle", unit)),
-        Row(name="Helix angle", symbol="β", value=of_unit(gear.helix.helix_angle or 0.0, "angle", unit)),
-        *([Row(name="Helix", symbol="", value=_hand(gear))] if helical else []),
+        *(_helix(gear) if gear.helix.angle else [Row(name="Teeth", symbol="", value="straight")]),
         *([] if shift is None else [Row(name="Profile shift coefficient", symbol="x", value=of_unit(shift, "", unit))]),
         Row(name="Basic rack", symbol="", value=gear.basic_rack),
         *size_rows(sizes, CYLINDRICAL_SIZES, unit),
@@ -137,10 +140,13 @@ def cylindrical_rows(gear: Any) -> tuple[Row, ...]:
     )
 
 
-def _hand(gear: Any) -> str:
-    from .cylindrical.herringbone_gear import HerringboneGear
-
-    return f"herringbone, {gear.hand} at z = 0" if isinstance(gear, HerringboneGear) else f"{gear.hand} hand"
+def _helix(gear: Any) -> list[Row]:
+    herringbone = gear.flank_width != gear.face_width if hasattr(gear, "flank_width") else False
+    hand = f"{gear.hand} at z = 0, herringbone" if herringbone else gear.hand
+    return [
+        Row(name="Helix angle", symbol="β", value=of_unit(gear.helix_angle, "angle", gear.length_unit)),
+        Row(name="Hand of helix", symbol="", value=hand),
+    ]
 
 
 def bevel_rows(gear: Any) -> tuple[Row, ...]:
@@ -155,7 +161,11 @@ def bevel_rows(gear: Any) -> tuple[Row, ...]:
         *_pitch(gear, "m_et", "Outer module", gear.outer_module),
         Row(name="Pressure angle, normal", symbol="α_n", value=of_unit(normal, "angle", unit)),
         Row(name="Tooth trace", symbol="", value=f"{gear.trace}, {gear.hand} hand" if spiral else "straight"),
-        *([Row(name="Mean spiral angle", symbol="β_m", value=of_unit(gear.spiral_angle, "angle", unit))] if spiral else []),
+        *(
+            [Row(name="Mean spiral angle", symbol="β_m", value=of_unit(gear.spiral_angle, "angle", unit))]
+            if spiral
+            else []
+        ),
         Row(name="Tooth form", symbol="", value=gear.tooth_form),
         *_mate_of_bevel(gear),
         *size_rows(gear.sizes(), BEVEL_SIZES, unit),

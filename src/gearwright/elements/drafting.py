@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from math import comb
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array
 from ..sections.drawings.contours import Contour, Profile, contours
+from ..sections.drawings.primitives import Primitive, Round, Straight
 from ..sections.drawings.svg_writing import HAND
 from ..sections.plane import Section
 from ..sheets.line_kinds import CENTRE, VISIBLE, LineKind
@@ -36,29 +38,23 @@ def drawn(chains: Sequence[Contour], kind: LineKind = VISIBLE) -> tuple[Stroke, 
 
 def points_on(chain: Contour, turn_points: int = 200) -> Array:
     """Points (n, 2) along a closed chain, near enough for hatching and cutting it on paper."""
-    found = []
-    for one in chain:
-        found.append(_along(one, turn_points))
-    return np.concatenate(found)
+    return np.concatenate([_along(one, turn_points) for one in chain])
 
 
-def _along(one: Any, turn_points: int) -> Array:
+def _along(one: Primitive, turn_points: int) -> Array:
     """Points of a primitive, but for its end."""
-    from ..sections.drawings.primitives import Round, Straight
-
     if isinstance(one, Straight):
         return one.start[None]
     if isinstance(one, Round):
         count = max(2, round(turn_points * abs(one.sweep) / (2.0 * np.pi)))
         return np.array([one.point(one.first + k / count * one.sweep) for k in range(count)])
-    t = np.linspace(0.0, 1.0, 9)[:-1, None]
-    pieces = []
-    for control in one.control:
-        points = [control[i] for i in range(len(control))]
-        while len(points) > 1:
-            points = [(1.0 - t) * a + t * b for a, b in zip(points[:-1], points[1:], strict=True)]
-        pieces.append(np.broadcast_to(points[0], (len(t), 2)))
-    return np.concatenate(pieces)
+    t = np.linspace(0.0, 1.0, _PIECES, endpoint=False)
+    basis = np.array([comb(one.degree, i) * t**i * (1.0 - t) ** (one.degree - i) for i in range(one.degree + 1)])
+    return np.einsum("it,cix->ctx", basis, one.control).reshape(-1, 2)
+
+
+_PIECES = 8
+"""Chords of a Bézier curve."""
 
 
 def box(left: float, low: float, right: float, high: float) -> BaseGeometry:
@@ -110,5 +106,5 @@ def mirrored(region: BaseGeometry) -> BaseGeometry:
 def axis(start: float, end: float, *, vertical: bool = False, at: float = 0.0) -> Stroke:
     """An axis a little longer than from start to end: horizontal at a height, or vertical."""
     more = _BEYOND * (end - start)
-    ends = [(start - more, at), (end + more, at)]
-    return line(*(point[::-1] if vertical else point for point in ends), CENTRE)
+    first, last = (start - more, at), (end + more, at)
+    return line(first[::-1], last[::-1], CENTRE) if vertical else line(first, last, CENTRE)

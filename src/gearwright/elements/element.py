@@ -125,7 +125,9 @@ class Element(ABC):
         """
         require_suffix(path)
         title = type(self).__name__
-        write(path, [element_sheet(self, labels or Labels(), title=spoken(title))], f"{spoken(title)}, {self.description}")
+        write(
+            path, [element_sheet(self, labels or Labels(), title=spoken(title))], f"{spoken(title)}, {self.description}"
+        )
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""

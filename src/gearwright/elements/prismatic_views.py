@@ -94,5 +94,3 @@ def _outline(triangles: Array, title: str, axes: tuple[int, int]) -> View:
             Span(start=(left, low), end=(left, high), side="left"),
         ),
     )
-
-

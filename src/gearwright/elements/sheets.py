@@ -65,7 +65,7 @@ def element_sheet(
         views=element.views(),
         rows=(*element.data_rows(), *more, cubed),
         tables=element.tables(),
-        notes=(*NOTES, *labels.notes),
+        notes=(*(NOTES if hasattr(element, "teeth") else NOTES[:1]), *labels.notes),
     )
     block = TitleBlock(
         paper=labels.paper,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,11 +11,10 @@ from ..arrays import Array
 from ..sections.drawings.dxf_writing import add, document_bytes, new_document
 from .line_kinds import LINE_KINDS, THIN
 from .marks import Dimension, Filled, Hatch, Mark, Sheet, Stroke, Text
-from .scales import on_paper
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import BaseLayout
+    from ezdxf.layouts.base import BaseLayout
 
 _BETWEEN = 10.0  # mm, from sheet to sheet
 _STYLE = "lettering"
@@ -30,11 +29,10 @@ def encoded(source: str, sheets: Sequence[Sheet], title: str) -> bytes:
     document = new_document(source, "mm")
     _set_up(document)
     space, top = document.modelspace(), 0.0
-    for number, sheet in enumerate(sheets, 1):
-        style = _dimension_style(document, sheet, number)
+    for sheet in sheets:
         shift = np.array([0.0, top - sheet.size[1]])
         for mark in sheet.marks:
-            _add(document, space, mark, shift, style)
+            _add(document, space, mark, shift)
         top -= sheet.size[1] + _BETWEEN
     width, height = max(sheet.size[0] for sheet in sheets), -top - _BETWEEN
     space.reset_extents((0.0, -height, 0.0), (width, 0.0, 0.0))
@@ -48,28 +46,42 @@ def _set_up(document: Drawing) -> None:
     document.header["$MEASUREMENT"] = 1
     document.styles.add(_STYLE, font="arial.ttf")
     for kind in LINE_KINDS:
-        dashes = {}
         if kind.dashes:
             signed = [length * (-1) ** k for k, length in enumerate(kind.dashes)]
             document.linetypes.add(kind.name, pattern=[sum(kind.dashes), *signed], description=kind.name)
-            dashes = {"linetype": kind.name}
-        document.layers.add(kind.name, lineweight=round(kind.width * _HUNDREDTHS), **dashes)
+        pattern = kind.name if kind.dashes else "Continuous"
+        document.layers.add(kind.name, lineweight=round(kind.width * _HUNDREDTHS), linetype=pattern)
     for name in ("text", "hatching", "dimensions"):
         document.layers.add(name, lineweight=round(THIN.width * _HUNDREDTHS))
 
 
-def _dimension_style(document: Drawing, sheet: Sheet, number: int) -> str:
-    """Name of the style of a sheet's dimensions: what they measure on paper, times a factor, is the part's length."""
-    name = f"sheet_{number}"
-    style = document.dimstyles.add(name)
-    style.dxf.dimlfac = 1.0 / on_paper(sheet.scale, sheet.unit)
-    style.dxf.dimtxt, style.dxf.dimasz, style.dxf.dimexe, style.dxf.dimexo, style.dxf.dimgap = 2.5, 2.5, 1.5, 0.8, 0.8
-    style.dxf.dimtad, style.dxf.dimtih, style.dxf.dimtoh, style.dxf.dimdec, style.dxf.dimzin = 1, 0, 0, 4, 8
-    style.dxf.dimtxsty = _STYLE
+def _dimension_style(document: Drawing, factor: float) -> str:
+    """Name of the style of dimensions where so many millimetres on paper are one of the part's length units."""
+    name = f"scale_{factor:.9g}".replace(".", "_")
+    if name not in document.dimstyles:
+        style = document.dimstyles.add(name)
+        for variable, value in {**_STYLED, "dimlfac": 1.0 / factor}.items():
+            style.dxf.set(variable, value)
     return name
 
 
-def _add(document: Drawing, space: BaseLayout, mark: Mark, shift: Array, style: str) -> None:
+_STYLED: Mapping[str, Any] = {
+    "dimtxt": 2.5,
+    "dimasz": 2.5,
+    "dimexe": 1.5,
+    "dimexo": 0.8,
+    "dimgap": 0.8,
+    "dimtad": 1,
+    "dimtih": 0,
+    "dimtoh": 0,
+    "dimdec": 4,
+    "dimzin": 8,
+    "dimtxsty": _STYLE,
+}
+"""Variables of dimensions as they are drawn here: ISO 129-1, for programs that draw them anew."""
+
+
+def _add(document: Drawing, space: BaseLayout, mark: Mark, shift: Array) -> None:
     match mark:
         case Stroke():
             for one in mark.chain:
@@ -86,7 +98,7 @@ def _add(document: Drawing, space: BaseLayout, mark: Mark, shift: Array, style: 
             for path in (mark.outline, *mark.holes):
                 hatch.paths.add_polyline_path([_xy(p + shift) for p in path], is_closed=True)
         case Dimension():
-            _add_dimension(document, space, mark, shift, style)
+            _add_dimension(document, space, mark, shift)
 
 
 _ANSI31 = 3.175
@@ -105,14 +117,14 @@ def _add_text(space: BaseLayout, text: Text, shift: Array) -> None:
     entity.set_placement(_xy(start), _xy(end), align=TextEntityAlignment.FIT)
 
 
-def _add_dimension(document: Drawing, space: BaseLayout, mark: Dimension, shift: Array, style: str) -> None:
+def _add_dimension(document: Drawing, space: BaseLayout, mark: Dimension, shift: Array) -> None:
     block = document.blocks.new_anonymous_block(type_char="D")
     for part in (*mark.marks, mark.text):
-        _add(document, block, part, shift, style)
+        _add(document, block, part, shift)
     first, second, through, *vertex = (_xy(p + shift) for p in mark.points)
     attributes: dict[str, Any] = {
         "layer": "dimensions",
-        "dimstyle": style,
+        "dimstyle": _dimension_style(document, mark.factor),
         "dimtype": _KINDS[mark.kind] | _BLOCK_ONLY,
         "geometry": block.name,
         "text": mark.text.text,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -94,42 +94,70 @@ def wrapped(text: str, room: float, height: float) -> list[str]:
     return lines
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Arranged:
+    """Views on paper. low   what is below them of their area is free, from this y on"""
+
+    scale: float
+    marks: tuple[Mark, ...]
+    low: float
+
+
 def _largest(views: Sequence[View], area: Array, length_unit: str) -> tuple[float, list[Mark]]:
-    """The largest of the scales at which the views have room in an area (2, 2), beside or below each other."""
+    """The views of a part at the largest scale at which they have room, and below them details, larger still."""
+    main, details = [view for view in views if not view.detail], [view for view in views if view.detail]
+    found = _fitting(main, area, length_unit, top=bool(details))
+    if not details:
+        return found.scale, list(found.marks)
+    left = np.array([area[0], [area[1, 0], found.low - _BETWEEN]])
+    if left[1, 1] - left[0, 1] < _LEAST_DETAIL:
+        return found.scale, list(_fitting(main, area, length_unit, top=False).marks)
+    below = _fitting(details, left, length_unit, top=False, titled=True)
+    if below.scale <= found.scale:
+        return found.scale, list(_fitting(main, area, length_unit, top=False).marks)
+    return found.scale, [*found.marks, *below.marks]
+
+
+_LEAST_DETAIL = 40.0  # of the height that is left for details
+
+
+def _fitting(views: Sequence[View], area: Array, length_unit: str, *, top: bool, titled: bool = False) -> _Arranged:
+    """The views at the largest of the scales at which they have room in an area (2, 2), beside or below each other.
+
+    top      as high in it as they can be, else in its middle
+    titled   their captions say the scale
+    """
     for scale in scales():
+        named = [replace(view, title=f"{view.title}, {in_words(scale)}") for view in views] if titled else views
         for beside in (True, False):
-            placed = _arranged(views, area, on_paper(scale, length_unit), length_unit, beside=beside)
-            if placed is not None:
-                return scale, placed
+            drafting = Drafting(factor=on_paper(scale, length_unit), shift=(0.0, 0.0), length_unit=length_unit)
+            marks = _arranged(named, area, drafting, beside=beside, top=top)
+            if marks is not None:
+                return _Arranged(scale=scale, marks=tuple(marks), low=float(_extent(marks)[0, 1]))
     raise ParameterError("The sheet", [Problem("the part", "is too large for any scale of ISO 5455")])
 
 
-def _arranged(
-    views: Sequence[View], area: Array, factor: float, length_unit: str, *, beside: bool
-) -> list[Mark] | None:
+def _arranged(views: Sequence[View], area: Array, drafting: Drafting, *, beside: bool, top: bool) -> list[Mark] | None:
     """The views with what is dimensioned in them, aligned; None where they have no room."""
     room = area[1] - area[0]
-    if np.any([factor * np.ptp(view.box(), axis=0) > room for view in views]):
+    if np.any([drafting.factor * np.ptp(view.box(), axis=0) > room for view in views]):
         return None
-    boxes = [_extent(_with_caption(view, Drafting(factor=factor, shift=(0.0, 0.0), length_unit=length_unit))) for view in views]
+    boxes = np.array([_extent(_with_caption(view, drafting)) for view in views])
     along, across = (0, 1) if beside else (1, 0)
-    lows, highs = np.array([box[0] for box in boxes]), np.array([box[1] for box in boxes])
-    sizes = highs[:, along] - lows[:, along]
-    whole = np.array([float(sizes.sum() + _BETWEEN * (len(views) - 1)), highs[:, across].max() - lows[:, across].min()])
+    sizes = boxes[:, 1, along] - boxes[:, 0, along]
+    low, high = boxes[:, 0, across].min(), boxes[:, 1, across].max()
+    whole = np.array([float(sizes.sum()) + _BETWEEN * (len(views) - 1), high - low])
     if np.any(whole > (room if beside else room[::-1])):
         return None
-    free = room[along] - whole[0]
-    spread = min(free / (len(views) + 1.0), 2.0 * _BETWEEN)
-    start = (area[0] + area[1])[along] / 2.0 - (whole[0] + spread * (len(views) - 1)) / 2.0
-    line = (area[0] + area[1])[across] / 2.0 - (highs[:, across].max() + lows[:, across].min()) / 2.0
-    order = range(len(views)) if beside else reversed(range(len(views)))
+    spread = min((room[along] - whole[0]) / (len(views) + 1.0), 2.0 * _BETWEEN)
+    start = area[:, along].mean() - (whole[0] + spread * (len(views) - 1)) / 2.0
+    level = area[1, 1] - high if top and beside else area[:, across].mean() - (high + low) / 2.0
     marks: list[Mark] = []
-    for k in order:
-        shift = np.zeros(2)
-        shift[along], shift[across] = start - lows[k, along], line
+    for k in range(len(views)) if beside else reversed(range(len(views))):
+        shift = [0.0, 0.0]
+        shift[along], shift[across] = float(start - boxes[k, 0, along]), float(level)
         start += sizes[k] + _BETWEEN + spread
-        drafting = Drafting(factor=factor, shift=(float(shift[0]), float(shift[1])), length_unit=length_unit)
-        marks += _with_caption(views[k], drafting)
+        marks += _with_caption(views[k], replace(drafting, shift=(shift[0], shift[1])))
     return marks
 
 

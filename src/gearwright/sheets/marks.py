@@ -122,9 +122,10 @@ class Hatch:
         return self.outline
 
     def placed(self, scale: float, shift: Array) -> Hatch:
-        """The region scaled about the origin, then shifted; its lines stay as far apart as they are."""
+        """The region scaled about the origin, then shifted; its lines are nearer to each other in a narrow one."""
         holes = tuple(hole * scale + shift for hole in self.holes)
-        return Hatch(outline=self.outline * scale + shift, holes=holes, distance=self.distance)
+        narrow = float(np.ptp(self.outline, axis=0).min()) * scale
+        return Hatch(outline=self.outline * scale + shift, holes=holes, distance=min(3.0, max(1.0, 0.3 * narrow)))
 
     @cached_property
     def lines(self) -> Array:
@@ -137,7 +138,9 @@ class Hatch:
         first = math.ceil((low[1] - high[0]) / step)
         offsets = step * np.arange(first, math.floor((high[1] - low[0]) / step) + 1)
         x = np.array([low[0], high[0]])
-        across = shapely.linestrings(np.array([np.column_stack([x, x + offset]) for offset in offsets]).reshape(-1, 2, 2))
+        across = shapely.linestrings(
+            np.array([np.column_stack([x, x + offset]) for offset in offsets]).reshape(-1, 2, 2)
+        )
         parts = shapely.get_parts(shapely.intersection(region, across))
         parts = parts[shapely.get_type_id(parts) == shapely.GeometryType.LINESTRING]
         ends = [shapely.get_coordinates(part)[[0, -1]] for part in parts if part.length > _SHORTEST]
@@ -156,6 +159,7 @@ class Dimension:
     angle   of a linear dimension line, degrees
     value   what it measures: in length units, or degrees
     marks   what is drawn of it
+    factor  millimetres on paper for each length unit
     """
 
     kind: Literal["linear", "angular"]
@@ -164,6 +168,7 @@ class Dimension:
     text: Text
     marks: tuple[Stroke | Filled, ...]
     angle: float = 0.0
+    factor: float = 1.0
 
     def samples(self) -> Array:
         return np.concatenate([one.samples() for one in (*self.marks, self.text)])
@@ -212,6 +217,4 @@ def arc(radius: float, first: float, last: float, kind: LineKind, centre: ArrayL
 
 
 def _round(radius: float, first: float, sweep: float, centre: ArrayLike) -> Round:
-    return Round(
-        centre=np.array(centre, float), major=np.array([radius, 0.0]), ratio=1.0, first=first, sweep=sweep
-    )
+    return Round(centre=np.array(centre, float), major=np.array([radius, 0.0]), ratio=1.0, first=first, sweep=sweep)

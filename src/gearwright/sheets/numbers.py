@@ -9,16 +9,16 @@ if TYPE_CHECKING:
     from ..parameters import Unit
 
 _DECIMALS = {"mm": 3, "in": 4}
-_LEAST_DIGITS = 4
+_LEAST_DIGITS = 5
 
 
 def length(value: float, length_unit: str) -> str:
-    """To a micrometre, or to 0.0001 in; of small lengths to four digits at least."""
+    """To a micrometre, or to 0.0001 in; of small lengths to five digits at least."""
     return decimal(value, _DECIMALS[length_unit])
 
 
 def decimal(value: float, decimals: int) -> str:
-    """To so many decimals, and to four digits at least, without zeros at the end."""
+    """To so many decimals, and to five digits at least, without zeros at the end."""
     if value and math.isfinite(value):
         decimals = max(decimals, _LEAST_DIGITS - 1 - math.floor(math.log10(abs(value))))
     text = f"{value:.{min(decimals, 15)}f}"

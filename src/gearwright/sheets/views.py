@@ -67,22 +67,24 @@ class Angle:
 
 @dataclass(frozen=True, kw_only=True)
 class Leader:
-    """A note with an arrow to a point, from the right and above; from the left where it is told so."""
+    """A note above a view, with an arrow to a point."""
 
     point: Point
     text: str
-    to_left: bool = False
-    below: bool = False
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class View:
-    """A view. Views beside each other have their y in common, those below each other their x."""
+    """A view. Views beside each other have their y in common, those below each other their x.
+
+    detail   shown larger than the others, in a scale of its own
+    """
 
     title: str
     strokes: tuple[Stroke, ...]
     hatches: tuple[Hatch, ...] = ()
     dimensions: tuple[Span | Slant | Angle | Leader, ...] = ()
+    detail: bool = False
 
     def box(self) -> Array:
         """Least and largest x and y (2, 2) of what is drawn, without its dimensions."""

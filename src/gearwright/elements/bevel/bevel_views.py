@@ -9,8 +9,8 @@ import numpy as np
 from ...sheets.line_kinds import CENTRE, THIN, VISIBLE
 from ...sheets.marks import Stroke, circle, line, polyline
 from ...sheets.views import Angle, Slant, Span, View
-from ..cylindrical.gear_views import body_notes, bore_edges, cross, hole_centres
 from ..blanks.pieces import Zone
+from ..cylindrical.gear_views import body_notes, bore_edges, cross, hole_centres
 from ..drafting import axis, box, cut, drawn, mirrored, polygon, united
 
 if TYPE_CHECKING:
@@ -116,9 +116,14 @@ def _cones(gear: BevelGear, *, apex: bool) -> list[Stroke]:
         found.append(line(start * turned, (outer + 0.1 * gear.face_width) * turned, CENTRE))
     if apex:
         teeth = gear.bevel_teeth
-        for polar in (teeth.inner.face_angle, teeth.inner.root_angle):
-            found.append(line((0.0, 0.0), _at(gear, polar, inner), THIN))
-    return found if not apex or not gear.bevel_teeth.varies else found[:2]
+        for name, polar in (("face_apex", teeth.inner.face_angle), ("root_apex", teeth.inner.root_angle)):
+            found.append(line((_cone_apex(gear, name), 0.0), _at(gear, polar, inner), THIN))
+    return found
+
+
+def _cone_apex(gear: BevelGear, name: str) -> float:
+    """z of the apex of the tip or the root cone."""
+    return -gear.sizes()[name].value
 
 
 def _dimensions(gear: BevelGear, *, apex: bool, back: float) -> list[Span | Slant | Angle]:
@@ -137,7 +142,7 @@ def _dimensions(gear: BevelGear, *, apex: bool, back: float) -> list[Span | Slan
         foot = -max(zone.outer for zone in _zones(gear) if zone.high >= mount * (1.0 - 1e-9))
         found.append(Span(start=(z, rho), end=(mount, -foot), side="above"))
         if apex:
-            found.append(Span(start=(0.0, 0.0), end=(mount, foot), side="below"))
+            found.append(Span(start=(0.0, 0.0), end=(mount, -foot), side="above"))
     if apex:
         found.append(Span(start=(0.0, 0.0), end=(z, rho), side="above"))
         found.append(Slant(start=(0.0, 0.0), end=pitch[1], clear=gear.proportions.addendum, row=1))
@@ -149,23 +154,31 @@ def _dimensions(gear: BevelGear, *, apex: bool, back: float) -> list[Span | Slan
         found.append(Span(start=(back, -keyed.radius), end=(back, keyed.radius + keyed.depth), side="right"))
     if blank.hub_diameter is not None and _zones(gear):
         found.append(
-            Span(start=(back, -blank.hub_diameter / 2.0), end=(back, blank.hub_diameter / 2.0), side="right", prefix="Ø")
+            Span(
+                start=(back, -blank.hub_diameter / 2.0), end=(back, blank.hub_diameter / 2.0), side="right", prefix="Ø"
+            )
         )
     if blank.has_web and blank.rim_diameter is not None:
         at = gear.body.web_levels[1]
-        found.append(Span(start=(at, -blank.rim_diameter / 2.0), end=(at, blank.rim_diameter / 2.0), side="right", prefix="Ø"))
+        found.append(
+            Span(start=(at, -blank.rim_diameter / 2.0), end=(at, blank.rim_diameter / 2.0), side="right", prefix="Ø")
+        )
     return found
 
 
 def _angles(gear: BevelGear) -> list[Angle]:
-    """Angles of root, pitch and tip cones at the apex, the largest one on the smallest arc."""
-    sizes = gear.sizes()
-    reach = gear.inner_distance * min(1.0, float(np.cos(max(0.0, gear.bevel_teeth.inner.face_angle - gear.pitch_cone_angle))))
-    found = [Angle(vertex=(0.0, 0.0), first=0.0, last=sizes["pitch_angle"].value, radius=0.62 * reach, prefix="δ = ")]
-    if gear.bevel_teeth.varies:
-        return found
-    for name, part, prefix in (("face_angle", 0.40, "δa = "), ("root_angle", 0.84, "δf = ")):
-        found.append(Angle(vertex=(0.0, 0.0), first=0.0, last=sizes[name].value, radius=part * reach, prefix=prefix))
+    """Angles of the pitch, the tip and the root cone at the apex of each; the largest one on the smallest arc."""
+    sizes, inner = gear.sizes(), gear.inner_distance
+    reach = _at(gear, gear.bevel_teeth.inner.face_angle, inner)
+    nearest = float(np.hypot(*reach)) if gear.ends == "spherical" else min(gear.body.front, float(np.hypot(*reach)))
+    found = []
+    for name, apex, part in (
+        ("pitch_angle", None, 0.80),
+        ("face_angle", "face_apex", 0.66),
+        ("root_angle", "root_apex", 0.94),
+    ):
+        z = 0.0 if apex is None else _cone_apex(gear, apex)
+        found.append(Angle(vertex=(z, 0.0), first=0.0, last=sizes[name].value, radius=part * nearest - z))
     return found
 
 
@@ -173,7 +186,10 @@ def _front(gear: BevelGear) -> View:
     teeth, blank = gear.bevel_teeth, gear.blank
     outer = _at(gear, teeth.outer.face_angle, gear.cone_distance)[1]
     inner = _at(gear, teeth.inner.face_angle, gear.inner_distance)[1]
-    roots = [_at(gear, teeth.outer.root_angle, gear.cone_distance)[1], _at(gear, teeth.inner.root_angle, gear.inner_distance)[1]]
+    roots = [
+        _at(gear, teeth.outer.root_angle, gear.cone_distance)[1],
+        _at(gear, teeth.inner.root_angle, gear.inner_distance)[1],
+    ]
     loops = blank.holes()
     from ...sections.plane import Section
     from ..blanks.pieces import circle as ring

@@ -28,14 +28,13 @@ def cam_views(cam: Cam) -> tuple[View, ...]:
     base = cam.traced.follower.base_radius
     points = points_on(chains[0])
     (left, low), (right, high) = points.min(axis=0), points.max(axis=0)
-    reach = max(-left, right, high, -low)
     front = View(
         title="Seen from +z; the follower starts on the right",
         strokes=(
             *drawn(chains),
             circle(base, CENTRE),
-            axis(-reach, reach),
-            axis(-reach, reach, vertical=True),
+            axis(left, right),
+            axis(low, high, vertical=True),
         ),
         dimensions=(
             Span(start=(left, 0.0), end=(right, 0.0), side="below"),
@@ -48,13 +47,15 @@ def cam_views(cam: Cam) -> tuple[View, ...]:
 
 def cam_rows(cam: Cam) -> tuple[Row, ...]:
     """What the follower is, and all sizes."""
-    movement = f"{decimal(cam.amount, 4)}°" if cam.kind.swings else f"{length(cam.amount, cam.length_unit)} {cam.length_unit}"
+    movement = (
+        f"{decimal(cam.amount, 4)}°" if cam.kind.swings else f"{length(cam.amount, cam.length_unit)} {cam.length_unit}"
+    )
     law = (cam.optimum.law if cam.optimum else None) or cam.law or "cycloidal"
     return (
         Row(name="Follower", symbol="", value=cam.follower.replace("-", " ")),
         Row(name="Swing" if cam.kind.swings else "Lift", symbol="s", value=movement),
         Row(name="Motion law", symbol="", value=law),
-        *all_rows(cam.sizes(), cam.length_unit),
+        *all_rows({name: size for name, size in cam.sizes().items() if name != "polygon_area"}, cam.length_unit),
         Row(name="Thickness", symbol="", value=f"{length(cam.thickness, cam.length_unit)} {cam.length_unit}"),
     )
 

@@ -11,6 +11,7 @@ from ...sections.drawings.contours import Contour
 from ...sections.drawings.primitives import Primitive, Round
 from ...sheets.line_kinds import CENTRE, THIN, VISIBLE
 from ...sheets.marks import Stroke, arc, circle, line, polyline
+from ...sheets.numbers import length
 from ...sheets.views import Leader, Span, View
 from ..blanks.blank import Blank
 from ..blanks.pieces import Zone
@@ -19,6 +20,7 @@ from ..drafting import axis, box, cut, drawn, mirrored, outlines, united
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
+    from .cylindrical_gear import CylindricalGear
     from .external_gear import ExternalGear
     from .internal_gear import InternalGear
 
@@ -29,7 +31,7 @@ _SAME = 1e-9
 
 def external_views(gear: ExternalGear) -> tuple[View, ...]:
     """The section through axis and keyway, and the view along the axis with a few teeth."""
-    return _external_section(gear), _external_front(gear)
+    return _external_section(gear), _external_front(gear), tooth_detail(gear, outlines(gear.profile, _UP)[0])
 
 
 def _external_section(gear: ExternalGear) -> View:
@@ -37,9 +39,7 @@ def _external_section(gear: ExternalGear) -> View:
     zones = gear.blank.zones(root, b)
     strokes, hatches = cut(body_region(zones, gear.blank))
     low, high = min(zone.low for zone in zones), max(zone.high for zone in zones)
-    teeth = [
-        polyline([(0.0, s * root), (0.0, s * tip), (b, s * tip), (b, s * root)], VISIBLE) for s in (1.0, -1.0)
-    ]
+    teeth = [polyline([(0.0, s * root), (0.0, s * tip), (b, s * tip), (b, s * root)], VISIBLE) for s in (1.0, -1.0)]
     pitches = [axis(0.0, b, at=s * pitch) for s in (1.0, -1.0)]
     dimensions = [
         Span(start=(b, -tip), end=(b, tip), side="right", prefix="Ø"),
@@ -69,17 +69,41 @@ def body_region(zones: Sequence[Zone], blank: Blank) -> BaseGeometry:
 
 
 def bore_edges(zones: Sequence[Zone], blank: Blank) -> list[Stroke]:
-    """Edges that are seen behind the cut: the ends of the bore, the sides of the keyway."""
+    """Edges that are seen behind the cut: of steps, of holes, the ends of the bore, the sides of the keyway."""
     inner = zones[-1]
+    steps = _step_edges(zones) + _hole_edges(zones, blank)
     if blank.bore is None:
-        return []
+        return steps
     r, keyed = blank.bore / 2.0, blank.keyed_bore
     top = r if keyed is None else keyed.radius + keyed.depth
-    edges = [line((z, -r), (z, top), VISIBLE) for z in (inner.low, inner.high)]
+    edges = [*steps, *(line((z, -r), (z, top), VISIBLE) for z in (inner.low, inner.high))]
     if keyed is not None:
         side = float(np.sqrt(r**2 - (keyed.width / 2.0) ** 2))
         edges.append(line((inner.low, side), (inner.high, side), VISIBLE))
     return edges
+
+
+def _step_edges(zones: Sequence[Zone]) -> list[Stroke]:
+    """Edges of rings that stand out beyond what is inside them."""
+    found = []
+    for k, zone in enumerate(zones[:-1]):
+        within = zones[k + 1 :]
+        for z, stands_out in ((zone.low, zone.low < within[0].low), (zone.high, zone.high > within[0].high)):
+            if stands_out:
+                ahead = next((one.outer for one in within if one.low <= z <= one.high), 0.0)
+                found += [line((z, s * ahead), (z, s * zone.inner), VISIBLE) for s in (1.0, -1.0)]
+    return found
+
+
+def _hole_edges(zones: Sequence[Zone], blank: Blank) -> list[Stroke]:
+    """Edges of the web's holes."""
+    holes = blank.hole_circle
+    if holes is None or not blank.has_web:
+        return []
+    web = next(zone for zone in zones if zone.inner <= holes.innermost)
+    ends = [(z, s) for z in (web.low, web.high) for s in (1.0, -1.0)]
+    middle = [axis(web.low, web.high, at=s * holes.circle) for s in (1.0, -1.0)]
+    return [*(line((z, s * holes.innermost), (z, s * holes.outermost), VISIBLE) for z, s in ends), *middle]
 
 
 def body_dimensions(zones: Sequence[Zone], blank: Blank) -> list[Span]:
@@ -142,14 +166,13 @@ def body_notes(blank: Blank) -> list[Leader]:
     if blank.keyed_bore is not None:
         keyed = blank.keyed_bore
         point = (keyed.width / 2.0, keyed.radius + 0.5 * keyed.depth)
-        found.append(Leader(point=point, text=f"keyway, {keyed.width:.6g} wide"))
+        found.append(Leader(point=point, text=f"keyway, {length(keyed.width, blank.length_unit)} wide"))
     if blank.has_web and blank.hole_circle is not None:
         holes = blank.hole_circle
-        angle = _UP - 2.0 * np.pi / holes.count * max(1, round(holes.count / 3.0))
-        way = np.array([np.cos(angle), np.sin(angle)])
-        point = holes.circle * way + holes.radius * np.array([0.5, -np.sqrt(0.75)])
+        angle = _UP - 2.0 * np.pi / holes.count * max(1, round(holes.count / 6.0))
+        x, y = holes.circle * np.cos(angle) + 0.7 * holes.radius, holes.circle * np.sin(angle) + 0.7 * holes.radius
         found.append(
-            Leader(point=(float(point[0]), float(point[1])), text=f"{holes.count} × Ø{2.0 * holes.radius:.6g}", below=True)
+            Leader(point=(float(x), float(y)), text=f"{holes.count} × Ø{length(2.0 * holes.radius, blank.length_unit)}")
         )
     return found
 
@@ -183,6 +206,26 @@ def shown_teeth(chain: Contour, teeth: int, tip: float, root: float) -> list[Str
     ]
 
 
+def tooth_detail(gear: CylindricalGear, chain: Contour) -> View:
+    """One tooth and the spaces beside it, true to shape, with the lines of pitch and roots."""
+    pitch = 2.0 * np.pi / gear.teeth
+    tip, root, reference = gear.tip_radius, gear.root_radius, gear.pitch_radius
+    shown = [one for one in chain if abs(_aside(one)) < 0.75 * pitch]
+    reach = max(abs(_angle_from_top(p)) for one in shown for p in (one.start, one.end))
+    return View(
+        title="Tooth in the transverse section",
+        strokes=(
+            *(Stroke(chain=(one,), kind=VISIBLE) for one in shown),
+            *(arc(radius, _UP - reach, _UP + reach, kind) for radius, kind in ((reference, CENTRE), (root, THIN))),
+        ),
+        dimensions=(
+            Span(start=(0.0, root), end=(0.0, tip), side="left"),
+            Span(start=(0.0, reference), end=(0.0, tip), side="right"),
+        ),
+        detail=True,
+    )
+
+
 def _near(radius: float, other: float) -> bool:
     return abs(radius - other) <= _SAME * other
 
@@ -198,7 +241,13 @@ def _angle_from_top(point: np.ndarray) -> float:
 
 def internal_views(gear: InternalGear) -> tuple[View, ...]:
     """The section through the axis, and the view along it with a few teeth."""
-    root, tip, pitch, b, outer = gear.root_radius, gear.tip_radius, gear.pitch_radius, gear.face_width, gear.outer_radius
+    root, tip, pitch, b, outer = (
+        gear.root_radius,
+        gear.tip_radius,
+        gear.pitch_radius,
+        gear.face_width,
+        gear.outer_radius,
+    )
     upper = box(0.0, root, b, outer)
     strokes, hatches = cut(united([upper, mirrored(upper)]))
     teeth = [polyline([(0.0, s * root), (0.0, s * tip), (b, s * tip), (b, s * root)], VISIBLE) for s in (1.0, -1.0)]
@@ -223,4 +272,4 @@ def internal_views(gear: InternalGear) -> tuple[View, ...]:
             *cross(outer),
         ),
     )
-    return section, front
+    return section, front, tooth_detail(gear, chains[1])

@@ -23,8 +23,8 @@ from ..data_rows import cylindrical_rows
 from ..element import SMOOTH, Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS
 from .helix import HELIX_NUMBERS, Helix, require_one_module
-from .rack_views import rack_views
 from .rack_tooth import RackTooth
+from .rack_views import rack_views
 from .sizes import in_unit
 
 _BACK = 2.0  # modules from the roots to the back

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...sections.drawings.contours import Contour
 from ...sheets.line_kinds import CENTRE, THIN, VISIBLE
 from ...sheets.marks import Stroke, line, polyline
 from ...sheets.views import Span, View
@@ -47,10 +48,37 @@ def rack_views(rack: Rack) -> tuple[View, ...]:
         hatches=hatches,
         dimensions=(Span(start=(0.0, -back), end=(b, -back), side="below"),),
     )
-    return front, section
+    return front, section, _tooth_detail(rack, chain)
 
 
-def _few_teeth(rack: Rack, chain: tuple, left: float, right: float) -> tuple[Stroke, ...]:
+def _tooth_detail(rack: Rack, chain: Contour) -> View:
+    """The first tooth and half of the next, true to shape."""
+    tooth, pitch = rack.tooth, rack.tooth.circular_pitch
+    shown = [
+        one
+        for one in chain
+        if abs((one.start + one.end)[0] / 2.0 + pitch / 2.0) < pitch and (one.start + one.end)[1] / 2.0 > -rack.back
+    ]
+    shown = [one for one in shown if min(one.start[1], one.end[1]) >= -tooth.dedendum * (1.0 + 1e-9)]
+    half = tooth.thickness / 2.0
+    ends = [float(p[0]) for one in shown for p in (one.start, one.end)]
+    return View(
+        title="Teeth in the transverse section",
+        strokes=(
+            *(Stroke(chain=(one,), kind=VISIBLE) for one in shown),
+            line((min(ends), 0.0), (max(ends), 0.0), CENTRE),
+        ),
+        dimensions=(
+            Span(start=(half - pitch, 0.0), end=(half, 0.0), side="below"),
+            Span(start=(-half, 0.0), end=(half, 0.0), side="above"),
+            Span(start=(min(ends), 0.0), end=(0.0, tooth.addendum), side="left"),
+            Span(start=(max(ends), -tooth.dedendum), end=(0.0, tooth.addendum), side="right"),
+        ),
+        detail=True,
+    )
+
+
+def _few_teeth(rack: Rack, chain: Contour, left: float, right: float) -> tuple[Stroke, ...]:
     """The teeth at both ends on their true outline; between them tips as a thick line, roots as a thin one."""
     tooth, back = rack.tooth, rack.back
     reach = _SHOWN * tooth.circular_pitch

@@ -16,7 +16,7 @@ from .strokes import Hand
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import BaseLayout
+    from ezdxf.layouts.base import BaseLayout
 
 HAND = Hand(degree=10, rational=True)
 """Splines of a higher degree are refused by AutoCAD."""
