@@ -12,7 +12,7 @@ from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
 from ..elements.element import Element
 from ..elements.pair import Pair
-from ..elements.sheets import Labels
+from ..elements.sheets import SheetLabels
 from .built import Built
 from .common_options import PAPERS, Outputs
 
@@ -41,7 +41,7 @@ def draw(element: Element, path: Path) -> Path:
 
 def draw_sheet(element: Element | Pair, path: Path, outputs: Outputs) -> Path:
     """Writes the drawing sheet of an element or a pair and gives its path."""
-    labels = Labels(paper=outputs.paper or PAPERS[0], material=outputs.material, density=outputs.density)
+    labels = SheetLabels(paper=outputs.paper or PAPERS[0], material=outputs.material, density=outputs.density)
     folder(path.parent)
     with progress("sheet"):
         element.save_sheet(path, labels)

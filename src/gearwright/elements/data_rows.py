@@ -141,12 +141,10 @@ def cylindrical_rows(gear: Any) -> tuple[Row, ...]:
 
 
 def _helix(gear: Any) -> list[Row]:
-    herringbone = gear.flank_width != gear.face_width if hasattr(gear, "flank_width") else False
-    hand = f"{gear.hand} at z = 0, herringbone" if herringbone else gear.hand
-    return [
-        Row(name="Helix angle", symbol="β", value=of_unit(gear.helix_angle, "angle", gear.length_unit)),
-        Row(name="Hand of helix", symbol="", value=hand),
-    ]
+    rows = [Row(name="Helix angle", symbol="β", value=of_unit(gear.helix_angle, "angle", gear.length_unit))]
+    if getattr(gear, "flank_width", gear.face_width) != gear.face_width:
+        return [*rows, Row(name="Herringbone, hand at z = 0", symbol="", value=gear.hand)]
+    return [*rows, Row(name="Hand of helix", symbol="", value=gear.hand)]
 
 
 def bevel_rows(gear: Any) -> tuple[Row, ...]:

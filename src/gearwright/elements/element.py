@@ -23,7 +23,7 @@ from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, draw_parts
 from .data_rows import all_rows
-from .sheets import Labels, element_sheet, spoken
+from .sheets import SheetLabels, element_sheet, spoken
 
 
 class Element(ABC):
@@ -118,7 +118,7 @@ class Element(ABC):
         """Further tables of a sheet."""
         return ()
 
-    def save_sheet(self, path: str | Path, labels: Labels | None = None) -> None:
+    def save_sheet(self, path: str | Path, labels: SheetLabels | None = None) -> None:
         """Writes a drawing sheet with views, dimensions, data and a title block, as DXF, SVG or PDF.
 
         Raises FileError; MachineError; ParameterError for labels that are none.
@@ -126,7 +126,9 @@ class Element(ABC):
         require_suffix(path)
         title = type(self).__name__
         write(
-            path, [element_sheet(self, labels or Labels(), title=spoken(title))], f"{spoken(title)}, {self.description}"
+            path,
+            [element_sheet(self, labels or SheetLabels(), title=spoken(title))],
+            f"{spoken(title)}, {self.description}",
         )
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:

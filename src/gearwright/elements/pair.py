@@ -18,7 +18,7 @@ from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
 from .data_rows import mate_rows
 from .element import Element
-from .sheets import Labels, element_sheet, spoken
+from .sheets import SheetLabels, element_sheet, spoken
 
 
 class Pair(ABC):
@@ -89,7 +89,7 @@ class Pair(ABC):
             profiles.append(Profile(section=member.profile, layer=layer, turn=turn, shift=shift))
         write_profiles(path, profiles, length_unit=self.length_unit)
 
-    def save_sheet(self, path: str | Path, labels: Labels | None = None) -> None:
+    def save_sheet(self, path: str | Path, labels: SheetLabels | None = None) -> None:
         """Writes a drawing sheet for each member, the pinion's first, to one file: pages of a PDF, one below another
         in DXF and SVG. The data of each say what its mate is and how they are mounted.
 
@@ -98,7 +98,7 @@ class Pair(ABC):
         require_suffix(path)
         sheets = []
         for k, (name, member) in enumerate((("pinion", self.pinion), ("gear", self.gear))):
-            own = labels or Labels()
+            own = labels or SheetLabels()
             named = own if own.name is None else replace(own, name=f"{own.name}, {name}")
             more = mate_rows(self, k, member.data_rows())
             title = f"{spoken(type(member).__name__)} ({name})"

@@ -22,7 +22,7 @@ NOTES = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Labels:
+class SheetLabels:
     """What a sheet says besides what the part is.
 
     paper     "A3" or "A4", landscape
@@ -50,7 +50,7 @@ class Labels:
 
 
 def element_sheet(
-    element: Element, labels: Labels, *, title: str, more: Sequence[Row] = (), number: tuple[int, int] = (1, 1)
+    element: Element, labels: SheetLabels, *, title: str, more: Sequence[Row] = (), number: tuple[int, int] = (1, 1)
 ) -> Sheet:
     """The sheet of one part. more   rows of the data table: what is to be said of its mate"""
     from .. import __version__

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...sections.plane import Section
 from ...sheets.line_kinds import CENTRE, THIN, VISIBLE
 from ...sheets.marks import Stroke, circle, line, polyline
 from ...sheets.views import Angle, Slant, Span, View
 from ..blanks.pieces import Zone
+from ..blanks.pieces import circle as ring
 from ..cylindrical.gear_views import body_notes, bore_edges, cross, hole_centres
-from ..drafting import axis, box, cut, drawn, mirrored, polygon, united
+from ..drafting import axis, box, cut, drawn, mirrored, outlines, polygon, united
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -183,28 +186,24 @@ def _angles(gear: BevelGear) -> list[Angle]:
 
 
 def _front(gear: BevelGear) -> View:
-    teeth, blank = gear.bevel_teeth, gear.blank
+    teeth, blank, zones = gear.bevel_teeth, gear.blank, _zones(gear)
     outer = _at(gear, teeth.outer.face_angle, gear.cone_distance)[1]
     inner = _at(gear, teeth.inner.face_angle, gear.inner_distance)[1]
-    roots = [
+    roots = (
         _at(gear, teeth.outer.root_angle, gear.cone_distance)[1],
         _at(gear, teeth.inner.root_angle, gear.inner_distance)[1],
-    ]
+    )
     loops = blank.holes()
-    from ...sections.plane import Section
-    from ..blanks.pieces import circle as ring
-    from ..drafting import outlines
-
     holes = outlines(Section(loops=(ring(outer, 1), *loops)), np.pi / 2.0)[1:] if loops else ()
-    steps = [] if gear.body.plain or gear.ends == "spherical" else [gear.body.front_edge[0]]
-    steps += [a.inner for a, b in zip(_zones(gear), _zones(gear)[1:], strict=False) if a.low != b.low]
+    steps = [gear.body.front_edge[0]] if zones else []
+    steps += [a.inner for a, b in pairwise(zones) if a.low != b.low]
     return View(
         title="Seen from the apex",
         strokes=(
             circle(outer, VISIBLE),
             circle(inner, VISIBLE),
-            *(circle(r, THIN) for r in roots),
-            *(circle(r, VISIBLE) for r in steps),
+            *(circle(radius, THIN) for radius in roots),
+            *(circle(radius, VISIBLE) for radius in steps),
             circle(gear.pitch_radius, CENTRE),
             *drawn(holes),
             *hole_centres(blank),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -140,7 +141,7 @@ def _external_front(gear: ExternalGear) -> View:
     chains = outlines(gear.profile, _UP)
     teeth = shown_teeth(chains[0], gear.teeth, gear.tip_radius, gear.root_radius)
     zones = gear.blank.zones(gear.root_radius, gear.face_width)
-    steps = [a.inner for a, b in zip(zones, zones[1:], strict=False) if a.low != b.low]
+    steps = [a.inner for a, b in pairwise(zones) if a.low != b.low]
     return View(
         title="Seen from z = 0",
         strokes=(

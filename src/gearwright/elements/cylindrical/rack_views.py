@@ -23,7 +23,8 @@ def rack_views(rack: Rack) -> tuple[View, ...]:
     """The view across the teeth, tips up, and the section along them."""
     tooth, b, back = rack.tooth, rack.face_width, rack.back
     length = rack.teeth * tooth.circular_pitch
-    (chain,) = outlines(rack.profile, np.pi / 2.0)
+    drawn_teeth = min(rack.teeth, _FEW)
+    (chain,) = outlines(tooth.section(drawn_teeth, back), np.pi / 2.0)
     left, right = -length + tooth.circular_pitch / 2.0, tooth.circular_pitch / 2.0
     shown = drawn((chain,))
     if rack.teeth > _FEW:
@@ -79,14 +80,22 @@ def _tooth_detail(rack: Rack, chain: Contour) -> View:
 
 
 def _few_teeth(rack: Rack, chain: Contour, left: float, right: float) -> tuple[Stroke, ...]:
-    """The teeth at both ends on their true outline; between them tips as a thick line, roots as a thin one."""
+    """The teeth at both ends on their true outline; between them tips as a thick line, roots as a thin one.
+
+    chain   the outline of a shorter rack, which starts with the same tooth
+    """
     tooth, back = rack.tooth, rack.back
     reach = _SHOWN * tooth.circular_pitch
+    far = np.array([-(rack.teeth - _FEW) * tooth.circular_pitch, 0.0])
+    begin = left - float(far[0])
     kept = []
     for one in chain:
-        middle = (one.start + one.end) / 2.0
-        if middle[1] <= -back * (1.0 - 1e-9) or min(middle[0] - left, right - middle[0]) < reach:
-            kept.append(Stroke(chain=(one,), kind=VISIBLE))
+        x, y = (one.start + one.end) / 2.0
+        if x > right - reach and y > -back * (1.0 - 1e-9):
+            kept.append(one)
+        elif x < begin + reach and y > -back * (1.0 - 1e-9):
+            kept.append(one.moved(0.0, far))
     tips = line((left + reach, tooth.addendum), (right - reach, tooth.addendum), VISIBLE)
     roots = line((left + reach, -tooth.dedendum), (right - reach, -tooth.dedendum), THIN)
-    return (*kept, tips, roots)
+    foot = line((left, -back), (right, -back), VISIBLE)
+    return (*(Stroke(chain=(one,), kind=VISIBLE) for one in kept), tips, roots, foot)
