@@ -45,7 +45,7 @@ EXTREME = {
         web_holes=5,
         web_hole_diameter=12.0,
         mounting_distance=74.0,
-    ),  # fmt: skip
+    ),
 }
 
 

@@ -124,12 +124,8 @@ class Element(ABC):
         Raises FileError; MachineError; ParameterError for labels that are none.
         """
         require_suffix(path)
-        title = type(self).__name__
-        write(
-            path,
-            [element_sheet(self, labels or SheetLabels(), title=spoken(title))],
-            f"{spoken(title)}, {self.description}",
-        )
+        title = spoken(type(self).__name__)
+        write(path, [element_sheet(self, labels or SheetLabels(), title=title)], f"{title}, {self.description}")
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""
