@@ -13,7 +13,7 @@ from ...sheets.marks import Stroke, circle, line, polyline
 from ...sheets.views import Angle, Slant, Span, View
 from ..blanks.pieces import Zone
 from ..blanks.pieces import circle as ring
-from ..cylindrical.gear_views import body_notes, bore_edges, cross, hole_centres
+from ..cylindrical.gear_views import body_notes, bore_edges, both_halves, cross, hole_centres
 from ..drafting import axis, box, cut, drawn, mirrored, outlines, polygon, united
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def _end(gear: BevelGear, first: float, last: float, distance: float) -> list[Po
 
 def _region(gear: BevelGear) -> BaseGeometry:
     """What is cut: everything below the roots."""
-    teeth, body, blank = gear.bevel_teeth, gear.body, gear.blank
+    teeth, body = gear.bevel_teeth, gear.body
     inner, outer = gear.inner_distance, gear.cone_distance
     roots = teeth.inner.root_angle, teeth.outer.root_angle
     if body.plain:
@@ -54,14 +54,7 @@ def _region(gear: BevelGear) -> BaseGeometry:
     ring = body.ring_angle
     parts = [polygon([*_end(gear, roots[0], ring, inner), *_end(gear, ring, roots[1], outer)]), _rim(gear)]
     parts += [box(zone.low, zone.inner, zone.high, zone.outer) for zone in _zones(gear)]
-    upper = united(parts)
-    low, high = upper.bounds[0], upper.bounds[2]
-    if blank.hole_circle is not None and blank.has_web:
-        upper = upper.difference(box(low, blank.hole_circle.innermost, high, blank.hole_circle.outermost))
-    lower = mirrored(upper)
-    if blank.keyed_bore is not None:
-        upper = upper.difference(box(low, 0.0, high, blank.keyed_bore.radius + blank.keyed_bore.depth))
-    return united([upper, lower])
+    return both_halves(united(parts), gear.blank)
 
 
 def _zones(gear: BevelGear) -> tuple[Zone, ...]:

@@ -59,8 +59,12 @@ def _external_section(gear: ExternalGear) -> View:
 
 def body_region(zones: Sequence[Zone], blank: Blank) -> BaseGeometry:
     """What is cut of a body of revolution, (z, ρ): holes of the web on both sides, the keyway above."""
-    upper = united([box(zone.low, zone.inner, zone.high, zone.outer) for zone in zones])
-    low, high = min(zone.low for zone in zones), max(zone.high for zone in zones)
+    return both_halves(united([box(zone.low, zone.inner, zone.high, zone.outer) for zone in zones]), blank)
+
+
+def both_halves(upper: BaseGeometry, blank: Blank) -> BaseGeometry:
+    """A half-section without holes and keyway (z, ρ), and its mirror image, with them."""
+    low, high = upper.bounds[0], upper.bounds[2]
     if blank.hole_circle is not None and blank.has_web:
         upper = upper.difference(box(low, blank.hole_circle.innermost, high, blank.hole_circle.outermost))
     lower = mirrored(upper)
