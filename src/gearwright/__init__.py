@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .elements.cylindrical.internal_gear import InternalGear
     from .elements.cylindrical.rack import Rack
     from .elements.cylindrical.spur_gear import SpurGear
+    from .elements.sheets import SheetLabels
     from .elements.sweep import Sweep
     from .errors import FileError, GearwrightError, GeometryError, MachineError, ParameterError, Problem
     from .materials import MATERIALS, Material, density
@@ -59,6 +60,7 @@ __all__ = [
     "Problem",
     "Rack",
     "Section",
+    "SheetLabels",
     "SpurGear",
     "Sweep",
     "__version__",
@@ -94,6 +96,7 @@ _MODULES = {
     ".elements.cylindrical.rack": ("Rack",),
     ".elements.cylindrical.spur_gear": ("SpurGear",),
     ".elements.cams.cam": ("Cam",),
+    ".elements.sheets": ("SheetLabels",),
     ".elements.sweep": ("Sweep",),
     ".errors": ("FileError", "GearwrightError", "GeometryError", "MachineError", "ParameterError", "Problem"),
     ".moments.bare": ("mass_properties",),

@@ -20,6 +20,9 @@ CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", u
 TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 
 _PLAY = "give the parts their play by backlash, tip clearance and bores; or write polygons, as .3mf or .stl"
+SHEETS, PAPERS = (".dxf", ".svg", ".pdf"), ("A3", "A4")
+"""What `gearwright.sheets` writes, which is not loaded for the help."""
+
 _NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
 
 DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
@@ -117,6 +120,14 @@ class Outputs:
         Path | None,
         Option(help="Draw the plane section, with true arcs and splines.", metavar="FILE.dxf|svg"),
     ] = None
+    sheet: Annotated[
+        Path | None,
+        Option(
+            help="Draw a sheet for the shop: views, dimensions, gear data, title block; one for each member of a pair.",
+            metavar="FILE.dxf|svg|pdf",
+        ),
+    ] = None
+    paper: Annotated[str | None, Option(help="Paper of the sheet.", metavar="A3|A4", show_default="A3")] = None
     tolerance: Annotated[
         float | None,
         Option(
@@ -213,6 +224,14 @@ class Outputs:
             problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds smooth ones; {_PLAY}"))
         return problems
 
+    def _sheet_problems(self) -> list[Problem]:
+        """What is wrong with the sheet asked for."""
+        if self.sheet is None:
+            return [] if self.paper is None else [Problem("--paper", "applies to a --sheet; none is asked for")]
+        if self.paper not in (None, *PAPERS):
+            return [Problem(f"--paper {self.paper}", f"choose {' or '.join(PAPERS)}")]
+        return [] if self.sheet == Path() else _wrong_suffix("sheet", self.sheet, SHEETS)
+
     def _running_problems(self, kind: catalog.Element) -> list[Problem]:
         if not self.running or kind.running is not None:
             return []
@@ -225,6 +244,7 @@ class Outputs:
             "output": self.output,
             "picture": self.picture,
             "drawing": self.drawing,
+            "sheet": self.sheet,
             "convergence": self.plot,
         }
         nameless = [name for name, path in files.items() if path == Path()]
@@ -249,6 +269,7 @@ class Outputs:
             ),
             *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
             *self._format_problems(),
+            *self._sheet_problems(),
             *self._diagram_problems(kind),
             *self._running_problems(kind),
             *(

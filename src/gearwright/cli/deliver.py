@@ -16,7 +16,7 @@ from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
 from .json_output import built_json
-from .outputs import draw, progress, write
+from .outputs import draw, draw_sheet, progress, write
 from .report import show_built
 
 
@@ -51,6 +51,8 @@ def _write_all(kind: catalog.Element, built: Built, element: Any, outputs: Outpu
     write(built, outputs, written)
     if outputs.drawing is not None:
         written.append(draw(element, outputs.drawing))
+    if outputs.sheet is not None:
+        written.append(draw_sheet(element, outputs.sheet, outputs))
     if outputs.plot is not None:
         plot_parts(built, outputs.plot)
         written.append(outputs.plot)

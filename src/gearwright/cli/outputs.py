@@ -11,9 +11,11 @@ from ..compiled import telling
 from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
 from ..elements.element import Element
+from ..elements.pair import Pair
+from ..elements.sheets import SheetLabels
 from ..solids.robots import save_mechanism
 from .built import Built
-from .common_options import Outputs
+from .common_options import PAPERS, Outputs
 
 
 def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
@@ -50,6 +52,15 @@ def draw(element: Element, path: Path) -> Path:
     folder(path.parent)
     with progress("drawing"):
         element.save_drawing(path)
+    return path
+
+
+def draw_sheet(element: Element | Pair, path: Path, outputs: Outputs) -> Path:
+    """Writes the drawing sheet of an element or a pair and gives its path."""
+    labels = SheetLabels(paper=outputs.paper or PAPERS[0], material=outputs.material, density=outputs.density)
+    folder(path.parent)
+    with progress("sheet"):
+        element.save_sheet(path, labels)
     return path
 
 

@@ -14,13 +14,18 @@ from ..errors import GeometryError, Problem
 from ..files.robots.mechanism import Mechanism
 from ..parameters import MILLIMETRES, Problems, Size
 from ..sections.plane import Section
+from ..sheets.content import Row, Table
+from ..sheets.views import View
+from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, draw_parts
+from .data_rows import all_rows
 from .following import part_mechanism
+from .sheets import SheetLabels, element_sheet, spoken
 
 
 class Element(ABC):
@@ -119,6 +124,29 @@ class Element(ABC):
         if self.profile is None:
             raise GeometryError("This part cannot be drawn", [Problem(self.description, refusals.NO_PROFILE)])
         self.profile.save(path, length_unit=self.length_unit)
+
+    def views(self) -> tuple[View, ...]:
+        """What a sheet shows of the part: views in the part's own lengths."""
+        from .prismatic_views import any_views
+
+        return any_views(self)
+
+    def data_rows(self) -> tuple[Row, ...]:
+        """The rows of a sheet's data table."""
+        return tuple(all_rows(self.sizes(), self.length_unit))
+
+    def tables(self) -> tuple[Table, ...]:
+        """Further tables of a sheet."""
+        return ()
+
+    def save_sheet(self, path: str | Path, labels: SheetLabels | None = None) -> None:
+        """Writes a drawing sheet with views, dimensions, data and a title block, as DXF, SVG or PDF.
+
+        Raises FileError; MachineError; ParameterError for labels that are none.
+        """
+        require_suffix(path)
+        title = spoken(type(self).__name__)
+        write(path, [element_sheet(self, labels or SheetLabels(), title=title)], f"{title}, {self.description}")
 
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""

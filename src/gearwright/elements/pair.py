@@ -12,13 +12,17 @@ from ..arrays import Array
 from ..errors import GeometryError, Problem
 from ..files.robots.mechanism import Mechanism
 from ..parameters import Size
-from ..sections.drawings import Profile, write
+from ..sections.drawings import Profile
+from ..sections.drawings import write as write_profiles
+from ..sheets.writing import require_suffix, write
 from ..solids.robots import density_for, refuse_density, save_mechanism
 from ..solids.saving import refuse_clearance
 from . import refusals
 from .assembly import PlacedPart, draw_parts, save_parts
+from .data_rows import mate_rows
 from .element import Element
 from .following import Following, part_mechanism
+from .sheets import SheetLabels, element_sheet, spoken
 
 
 class Pair(ABC):
@@ -125,7 +129,23 @@ class Pair(ABC):
                 raise GeometryError("This pair cannot be drawn", [Problem(self.description, refusals.NO_PROFILE)])
             turn, shift = float(np.arctan2(placement[1, 0], placement[0, 0])), (placement[0, 3], placement[1, 3])
             profiles.append(Profile(section=member.profile, layer=layer, turn=turn, shift=shift))
-        write(path, profiles, length_unit=self.length_unit)
+        write_profiles(path, profiles, length_unit=self.length_unit)
+
+    def save_sheet(self, path: str | Path, labels: SheetLabels | None = None) -> None:
+        """Writes a drawing sheet for each member, the pinion's first, to one file: pages of a PDF, one below another
+        in DXF and SVG. The data of each say what its mate is and how they are mounted.
+
+        Raises FileError; MachineError; ParameterError for labels that are none.
+        """
+        require_suffix(path)
+        sheets = []
+        for k, (name, member) in enumerate((("pinion", self.pinion), ("gear", self.gear))):
+            own = labels or SheetLabels()
+            named = own if own.name is None else replace(own, name=f"{own.name}, {name}")
+            more = mate_rows(self, k, member.data_rows())
+            title = f"{spoken(type(member).__name__)} ({name})"
+            sheets.append(element_sheet(member, named, title=title, more=more, number=(k + 1, 2)))
+        write(path, sheets, self.description)
 
     def picture(self, path: str | Path, tolerance: float | None = None, turn: float = 0.0) -> None:
         """Draws both members in mesh into a PNG file, the pinion turned by so many degrees.

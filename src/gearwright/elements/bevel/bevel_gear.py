@@ -10,16 +10,20 @@ import numpy as np
 
 from ...curves.traces.trace import Trace
 from ...parameters import Problems, Size, declared
+from ...sheets.content import Row
+from ...sheets.views import View
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import remarks
 from ..blanks.blank import Blank
+from ..data_rows import bevel_rows
 from ..element import SMOOTH, Element, module_in, require_one_pitch
 from ..standards.bevels.member import BevelMember
 from ..standards.bevels.proportions import Proportions
 from .bevel_checks import check_cone, check_face, check_given, check_shape
 from .bevel_sizes import bevel_sizes, outer_tip_thickness
+from .bevel_views import bevel_views
 from .body import BevelBody
 from .depth_line import DepthLine
 from .pitch_cone import pitch_cone_angle
@@ -312,3 +316,9 @@ class BevelGear(Element):
     def sizes(self) -> dict[str, Size]:
         """Sizes of this gear alone, at its outer end unless they say otherwise."""
         return bevel_sizes(self)
+
+    def views(self) -> tuple[View, ...]:
+        return bevel_views(self)
+
+    def data_rows(self) -> tuple[Row, ...]:
+        return bevel_rows(self)

@@ -20,6 +20,8 @@ from ...parameters import Problems, Size, declared
 from ...sections.loop import Loop
 from ...sections.outlines import polygon_loop
 from ...sections.plane import Section
+from ...sheets.content import Row, Table
+from ...sheets.views import View
 from ...solids.properties import MassProperties
 from ...solids.solid import Solid
 from ...solids.swept import Swept
@@ -27,6 +29,7 @@ from .. import declarations as common
 from ..element import Element
 from . import declarations as d
 from . import refusals
+from .cam_views import cam_rows, cam_views, lift_table
 from .findings import findings_of, remarks_of
 from .freedom import freedom
 from .kinds import KINDS, Kind
@@ -263,3 +266,12 @@ class Cam(Element):
     def sizes(self) -> dict[str, Size]:
         """Radii, curvature, contact, area, motion."""
         return sizes_of(self)
+
+    def views(self) -> tuple[View, ...]:
+        return cam_views(self)
+
+    def data_rows(self) -> tuple[Row, ...]:
+        return cam_rows(self)
+
+    def tables(self) -> tuple[Table, ...]:
+        return (lift_table(self),)

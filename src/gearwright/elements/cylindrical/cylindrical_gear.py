@@ -14,9 +14,11 @@ from ...motions.motion import Motion
 from ...motions.straight import Straight
 from ...parameters import Problems, Size, declarations, declared
 from ...sections.plane import Section
+from ...sheets.content import Row
 from .. import declarations as d
 from .. import refusals, remarks
 from ..blanks.blank import Blank
+from ..data_rows import cylindrical_rows
 from ..element import SMOOTH, Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS, BasicRack
 from ..standards.over_pins import USUAL as USUAL_PINS
@@ -128,6 +130,9 @@ class CylindricalGear(Element):
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 21771."""
         return {**toothing_sizes(self.tooth, self.flank_width), **self._inspection_sizes()}
+
+    def data_rows(self) -> tuple[Row, ...]:
+        return cylindrical_rows(self)
 
     @property
     def _usual_pin(self) -> float:

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...motions.ends import between
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
+from ...sheets.views import View
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
@@ -18,6 +19,7 @@ from ..blanks.limits import blank_problems
 from ..element import require_at_most_one
 from .cylindrical_gear import CylindricalGear
 from .external_tooth import ExternalTooth
+from .gear_views import external_views
 from .generated_fillet import GeneratedFillet
 from .sizes import span_sizes, span_width, spans, undercut_limits, usual_span
 from .tooth_checks import check_external
@@ -137,3 +139,6 @@ class ExternalGear(CylindricalGear):
         """Derived sizes by name, with the symbols of ISO 21771."""
         teeth = usual_span(self.tooth, self._spans) if self.span_teeth is None else self.span_teeth
         return {**super().sizes(), **({} if teeth is None else span_sizes(self.tooth, teeth)), **self.blank.sizes()}
+
+    def views(self) -> tuple[View, ...]:
+        return external_views(self)

@@ -8,11 +8,13 @@ from functools import cached_property
 from ...motions.ends import between
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
+from ...sheets.views import View
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
 from .cylindrical_gear import CylindricalGear
+from .gear_views import internal_views
 from .internal_tooth import InternalTooth
 from .sizes import in_unit
 from .tooth_checks import check_internal
@@ -86,3 +88,6 @@ class InternalGear(CylindricalGear):
             "fillet_radius": (self.tooth.fillet_radius, "ρ_f", "radius of the fillets, transverse"),
         }
         return {**super().sizes(), **in_unit(lengths, "length")}
+
+    def views(self) -> tuple[View, ...]:
+        return internal_views(self)

@@ -13,14 +13,18 @@ from ...motions.motion import Motion
 from ...motions.straight import Straight
 from ...parameters import Problems, Size, declared
 from ...sections.plane import Section
+from ...sheets.content import Row
+from ...sheets.views import View
 from ...solids.solid import Solid
 from ...solids.swept import Swept
 from .. import declarations as d
 from .. import refusals
+from ..data_rows import cylindrical_rows
 from ..element import SMOOTH, Element, require_at_most_one
 from ..standards.iso_53 import BASIC_RACKS
 from .helix import HELIX_NUMBERS, Helix, require_one_module
 from .rack_tooth import RackTooth
+from .rack_views import rack_views
 from .sizes import in_unit
 
 _BACK = 2.0  # modules from the roots to the back
@@ -165,3 +169,9 @@ class Rack(Element):
         }
         angle = {"transverse_pressure_angle": (tooth.transverse_pressure_angle, "α_t", "transverse pressure angle")}
         return {**in_unit(lengths, "length"), **in_unit(angle, "angle")}
+
+    def views(self) -> tuple[View, ...]:
+        return rack_views(self)
+
+    def data_rows(self) -> tuple[Row, ...]:
+        return cylindrical_rows(self)

@@ -15,7 +15,8 @@ from .primitives import Free, Primitive, Round, Straight, degrees
 from .strokes import Hand
 
 if TYPE_CHECKING:
-    from ezdxf.layouts.layout import Modelspace
+    from ezdxf.document import Drawing
+    from ezdxf.layouts.base import BaseLayout
 
 HAND = Hand(degree=10, rational=True)
 """Splines of a higher degree are refused by AutoCAD."""
@@ -31,30 +32,41 @@ def encoded(source: str, layers: Mapping[str, Sequence[Contour]], corners: Array
 
     Raises MachineError where ezdxf is not installed.
     """
-    try:
-        from ezdxf.filemanagement import new
-    except ImportError:
-        raise MachineError(
-            f"{source}: DXF is written by ezdxf, which is missing: pip install 'gearwright[drawing]'"
-        ) from None
-    document = new(_VERSION, units=_UNITS[length_unit])
+    document = new_document(source, length_unit)
     space = document.modelspace()
     for layer, drawn in layers.items():
         if layer not in document.layers:
             document.layers.add(layer)
         for contour in drawn:
             for one in contour:
-                _add(space, one, {"layer": layer})
+                add(space, one, {"layer": layer})
     low, high = ((float(x), float(y)) for x, y in corners)
     space.reset_extents((*low, 0.0), (*high, 0.0))
     middle = (low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0
     document.set_modelspace_vport(height=1.1 * max(high[0] - low[0], high[1] - low[1]), center=middle)
+    return document_bytes(document)
+
+
+def new_document(source: str, length_unit: str) -> Drawing:
+    """An empty document for a file. Raises MachineError where ezdxf is not installed."""
+    try:
+        from ezdxf.filemanagement import new
+    except ImportError:
+        raise MachineError(
+            f"{source}: DXF is written by ezdxf, which is missing: pip install 'gearwright[drawing]'"
+        ) from None
+    return new(_VERSION, units=_UNITS[length_unit])
+
+
+def document_bytes(document: Drawing) -> bytes:
+    """What a document's file holds."""
     text = io.StringIO()
     document.write(text)
     return document.encode(text.getvalue())
 
 
-def _add(space: Modelspace, one: Primitive, attributes: dict[str, Any]) -> None:
+def add(space: BaseLayout, one: Primitive, attributes: dict[str, Any]) -> None:
+    """Adds a primitive as the entity it is, with DXF attributes such as its layer."""
     match one:
         case Straight():
             space.add_line(_xy(one.start), _xy(one.end), attributes)
@@ -69,7 +81,7 @@ def _add(space: Modelspace, one: Primitive, attributes: dict[str, Any]) -> None:
                 spline.weights = one.weights.tolist()
 
 
-def _add_round(space: Modelspace, arc: Round, attributes: dict[str, Any]) -> None:
+def _add_round(space: BaseLayout, arc: Round, attributes: dict[str, Any]) -> None:
     """DXF runs counter-clockwise; an arc that runs the other way is written from its end to its start."""
     first, last = (arc.first, arc.first + arc.sweep)[:: 1 if arc.sweep > 0.0 else -1]
     centre = _xy(arc.centre)

@@ -25,6 +25,10 @@ class Straight:
         """The line turned by an angle about the origin, then shifted (2,)."""
         return Straight(start=_moved(self.start, angle, shift), end=_moved(self.end, angle, shift))
 
+    def scaled(self, factor: float) -> Straight:
+        """The line scaled about the origin."""
+        return Straight(start=factor * self.start, end=factor * self.end)
+
     def between(self, start: Array, end: Array) -> Straight:
         """The line with other ends (2,)."""
         return Straight(start=start, end=end)
@@ -81,6 +85,10 @@ class Round:
             return replace(self, centre=centre, first=self.first + angle)
         return replace(self, centre=centre, major=_moved(self.major, angle, np.zeros(2)))
 
+    def scaled(self, factor: float) -> Round:
+        """The arc scaled about the origin by a positive factor."""
+        return replace(self, centre=factor * self.centre, major=factor * self.major)
+
     def between(self, start: Array, end: Array) -> Round:
         """The same arc: it follows from centre, half axes and angles, and others' ends come to it."""
         del start, end
@@ -123,6 +131,10 @@ class Free:
     def moved(self, angle: float, shift: Array) -> Free:
         """The curves turned by an angle about the origin, then shifted (2,)."""
         return replace(self, control=_moved(self.control, angle, shift))
+
+    def scaled(self, factor: float) -> Free:
+        """The curves scaled about the origin."""
+        return replace(self, control=factor * self.control)
 
     def between(self, start: Array, end: Array) -> Free:
         """The curves with their very ends (2,) moved."""
