@@ -80,8 +80,13 @@ def save_solids(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, l
     if format_of(path, "written").holds == "smooth faces":
         save_smooth(path, solids, name=name, length_unit=length_unit)
         return
+    save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
+
+
+def polyhedra_of(solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> Assembly[Polyhedron]:
+    """Solids where they stand, as polyhedra. Raises GeometryError where a tolerance cannot be met."""
     parts = tuple(Part(name=s.name, shape=s.polyhedron, placement=s.placement, colour=s.colour) for s in solids)
-    save_polygons(path, Assembly(name=name, parts=parts, length_unit=length_unit))
+    return Assembly(name=name, parts=parts, length_unit=length_unit)
 
 
 def save_smooth(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:

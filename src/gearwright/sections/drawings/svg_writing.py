@@ -46,7 +46,7 @@ def encoded(source: str, layers: Mapping[str, Sequence[Contour]], corners: Array
         _LAYER.format(
             name=quoteattr(layer),
             line=_number(_LINE / MILLIMETRES[length_unit]),
-            path="\n".join(_path(contour) for contour in drawn),
+            path="\n".join(path_data(contour) for contour in drawn),
         )
         for layer, drawn in layers.items()
     ]
@@ -57,7 +57,7 @@ def encoded(source: str, layers: Mapping[str, Sequence[Contour]], corners: Array
     return page.encode()
 
 
-def _path(contour: Contour) -> str:
+def path_data(contour: Contour) -> str:
     """Path data of a closed chain; a line at its end is left to Z."""
     commands = [command for one in contour for command in _commands(one)]
     if isinstance(contour[-1], Straight):
