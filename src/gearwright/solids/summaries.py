@@ -26,7 +26,7 @@ COARSE = 2e-3
 
 _SIZE, _WIDTH = (480, 320), 240  # pixels of the picture, and of the page
 
-_MOST_EXAMINED = 300_000
+MOST_EXAMINED = 300_000
 """Faces up to which a polyhedron's properties are found to be shown: 0.1 s."""
 
 
@@ -67,7 +67,7 @@ def polyhedron_summary(polyhedron: Polyhedron) -> str:
     """Size, properties or what is wrong, and a picture."""
     faces = len(polyhedron.offsets) - 1
     rows = [("faces", "", f"{faces:,}"), ("vertices", "", f"{len(polyhedron.vertices):,}")]
-    if not faces or faces > _MOST_EXAMINED:
+    if not faces or faces > MOST_EXAMINED:
         return table("polyhedron", ("", "about", "value"), rows)
     try:
         rows += property_rows(polyhedron.properties())

@@ -97,7 +97,7 @@ function sectionRow(stage: Stage, bodies: Body[], section: Section, unit: string
     section.cut(bodies, place.value());
     stage.draw();
   };
-  const place = slider("Place of the section plane", (value) => `${value.toFixed(digits).replace(/^-(?=[0.]*$)/, "")} ${unit}`, cut);
+  const place = slider("Place of the cut", (value) => `${value.toFixed(digits).replace(/^-(?=[0.]*$)/, "")} ${unit}`, cut);
   const flip = button("⇄", "Show the other side", () => {
     section.flipped = !section.flipped;
     cut();
