@@ -1,7 +1,7 @@
 """Builds the viewer's script from web/ into a wheel, where that is made from a checkout.
 
-An installation in place needs no Node, and shows still pictures until `make web`; so does a wheel that is made where npm is
-missing or fails, unless GEARWRIGHT_REQUIRE_VIEWER is set, as it is for wheels to be handed on.
+An installation in place needs no Node, and shows still pictures until `make web`; so does a wheel that is made where
+npm is missing or fails, unless GEARWRIGHT_REQUIRE_VIEWER is set, as it is for wheels to be handed on.
 """
 
 from __future__ import annotations

@@ -69,6 +69,7 @@ def test_nothing_in_a_title_or_the_script_ends_its_element(viewer):
     tags = Elements(view.page)
     assert [tag for tag, _ in tags.found if tag in ("script", "img", "iframe")] == ["script", "script"]
     assert len(tags.scripts) == 2
+    assert re.fullmatch(r'const text = ".*script>.*";', tags.scripts[1])  # whole
     assert json.loads(tags.scripts[0])["title"] == view.title
     frame = Elements(view._repr_html_())
     assert [tag for tag, _ in frame.found] == ["iframe"]

@@ -73,12 +73,13 @@ function furnish(
     }),
     button("◐", "Light or dark", () => theme(current() === "dark" ? "light" : "dark")));
   const rows = [...(running ? [running.row] : []), sectionRow(stage, bodies, section, data.unit)];
-  main.append(
-    element("header", {}, element("h1", {}, data.title), ...(bodies.length > 1 ? [legend(stage, bodies)] : [])),
-    views,
-    element("div", { class: "panel" }, ...rows),
-    scale.element,
-  );
+  const header = element("header", {}, element("h1", {}, data.title), ...(bodies.length > 1 ? [legend(stage, bodies)] : []));
+  const panel = element("div", { class: "panel" }, ...rows);
+  main.append(header, views, panel, scale.element);
+  stage.taken = () => [
+    Math.max(header.getBoundingClientRect().bottom, views.getBoundingClientRect().bottom) + 10,
+    main.clientHeight - panel.getBoundingClientRect().top + 10,
+  ];
 }
 
 function legend(stage: Stage, bodies: Body[]): HTMLElement {

@@ -7,10 +7,7 @@ import type { SceneData } from "./data";
 import { studio } from "./studio";
 import { Triad } from "./triad";
 
-// What stands at the edges of the view, in pixels: title and legend, the triad, operating elements.
-const ABOVE = 52;
-const BELOW = 84;
-const ASIDE = 24;
+const ASIDE = 24; // pixels left free at either side
 
 export class Stage {
   readonly renderer: three.WebGLRenderer;
@@ -18,6 +15,7 @@ export class Stage {
   readonly camera = new three.OrthographicCamera();
   readonly orbit: OrbitControls;
   onDrawn: () => void = () => {};
+  taken: () => [number, number] = () => [ASIDE, ASIDE]; // pixels above and below where something else stands
   private readonly triad = new Triad();
   private waiting = false;
   private readonly home: three.Vector3;
@@ -64,9 +62,10 @@ export class Stage {
     const middle = seen.getCenter(new three.Vector3());
     const sides = seen.getSize(new three.Vector3());
     const [width, height] = this.size();
-    const room = [Math.max(width - 2 * ASIDE, 50), Math.max(height - ABOVE - BELOW, 50)] as const;
+    const [above, below] = this.taken();
+    const room = [Math.max(width - 2 * ASIDE, 50), Math.max(height - above - below, 50)] as const;
     this.camera.zoom = Math.min(room[0] / sides.x, room[1] / sides.y);
-    const lowered = (BELOW - ABOVE) / 2 / this.camera.zoom;
+    const lowered = (below - above) / 2 / this.camera.zoom;
     const shift = new three.Vector3(middle.x, middle.y - lowered, 0).applyQuaternion(this.camera.quaternion);
     this.camera.position.add(shift);
     this.orbit.target.add(shift);
