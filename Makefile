@@ -3,6 +3,8 @@
 #   make demo    build the 16/20 bevel pair, straight and spiral, and compare exact with polyhedral properties
 #   make test    run the tests
 #   make fuzz    feed spoilt files to every reader, FUZZ_SECONDS=60 of them; what breaks one goes into tests/fuzz/corpus
+#   make web     build the view that turns in notebooks (Node 20.19 or newer, npm)
+#   make test-browser    test it in Chromium (CHROMIUM=/path/to/it)
 #   make check   lint, format check, types, import layers
 #   make bench   compare speed with other tools
 
@@ -15,8 +17,9 @@ BENCH_INSTALLED := $(BENCH_VENV)/installed
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 FUZZ_SECONDS ?= 60
+CHROMIUM ?= chromium
 
-.PHONY: demo test fuzz check bench clean
+.PHONY: demo test fuzz web test-browser check bench clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)
@@ -27,6 +30,16 @@ test: $(INSTALLED)
 
 fuzz: $(INSTALLED)
 	FUZZ_SECONDS=$(FUZZ_SECONDS) $(BIN)/python -m pytest tests/fuzz
+
+web:
+	@command -v npm >/dev/null || { echo "make: npm was not found; install Node 20.19 or newer" >&2; exit 1; }
+	npm --prefix web ci
+	npm --prefix web run build
+
+test-browser: $(INSTALLED) web
+	@command -v $(CHROMIUM) >/dev/null || { \
+	  echo "make: $(CHROMIUM) was not found; on Debian: apt-get install chromium, or name one: make CHROMIUM=/path" >&2; exit 1; }
+	PYTHON=$(abspath $(BIN))/python CHROMIUM=$$(command -v $(CHROMIUM)) npm --prefix web test
 
 check: $(INSTALLED)
 	$(BIN)/ruff check .

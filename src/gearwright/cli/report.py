@@ -6,13 +6,11 @@ from collections.abc import Mapping, Sequence
 
 from rich.table import Table
 
-from ..parameters import Size
+from ..parameters import Size, unit_text
 from ..solids.properties import MassProperties
 from .built import Built, Units
 from .property_tables import properties_note, properties_table
-from .tables import number, plain_table, power, show
-
-_UNITS = {"angle": "°", "microradian": "µrad", "mm": "mm", "per inch": "1/in", "": ""}
+from .tables import number, plain_table, show
 
 
 def show_built(built: Built) -> None:
@@ -39,6 +37,5 @@ def _sizes_table(title: str, names: Sequence[str], sizes: Sequence[Mapping[str, 
         table.add_column(name, justify="right")
     for name, size in {name: size for one in reversed(sizes) for name, size in one.items()}.items():
         texts = (number(one[name].value, digits=7) if name in one else "" for one in sizes)
-        unit = {"length": units.length, "area": power(units.length, 2)}.get(size.unit) or _UNITS[size.unit]
-        table.add_row(name.replace("_", " "), size.symbol, unit, *texts)
+        table.add_row(name.replace("_", " "), size.symbol, unit_text(size.unit, units.length), *texts)
     return table

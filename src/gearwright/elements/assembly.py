@@ -6,15 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import numpy as np
 
 from ..arrays import Array
 from ..colours import BRASS, STEEL
 from ..disk import folder
+from ..files.assembly import Assembly
 from ..solids.polyhedron import Polyhedron
-from ..solids.saving import PlacedSolid, Shape, save_solids
+from ..solids.saving import PlacedSolid, Shape, polyhedra_of, save_solids
+
+if TYPE_CHECKING:
+    from ..pictures import View
 
 
 class Drawn(Shape, Protocol):
@@ -92,9 +96,21 @@ def save_parts(
     return files
 
 
+def polyhedra(parts: Sequence[PlacedPart], name: str, length_unit: str) -> Assembly[Polyhedron]:
+    """Parts where they stand, in their colours. Raises GeometryError where a tolerance cannot be met."""
+    return polyhedra_of(in_colours(parts), name=name, length_unit=length_unit)
+
+
+def alone(upward: Literal[1, -1]) -> View:
+    """From where a part is seen alone, so that its teeth are seen."""
+    from ..pictures import View
+
+    return View(direction=(0.35, 0.8, 0.75 * upward), up=(0.0, 0.0, float(upward)))
+
+
 def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit: str) -> None:
     """Draws all parts in place into a PNG file. Raises FileError, MachineError."""
-    from ..pictures import Body, View, picture  # matplotlib and numba load only to draw
+    from ..pictures import Body, picture  # matplotlib and numba load only to draw
 
     bodies = [
         Body(vertices=body.vertices, triangles=body.triangles(), colour=(BRASS, STEEL)[i % 2], label=part.label)
@@ -102,6 +118,5 @@ def draw_parts(parts: Sequence[PlacedPart], path: Path, title: str, length_unit:
         for body in [part.placed]
     ]
     folder(path.parent)
-    up = float(parts[0].upward)
-    alone = View(direction=(0.35, 0.8, 0.75 * up), up=(0.0, 0.0, up)) if len(parts) == 1 else None
-    picture(bodies, path, title=title, view=alone, length_unit=length_unit)
+    view = alone(parts[0].upward) if len(parts) == 1 else None
+    picture(bodies, path, title=title, view=view, length_unit=length_unit)

@@ -5,14 +5,15 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from ..boundary.boundary import Boundary
 from ..errors import GeometryError, Problem
+from ..files.assembly import Assembly
 from ..files.robots.mechanism import Mechanism
-from ..parameters import MILLIMETRES, Problems, Size
+from ..parameters import MILLIMETRES, Problems, Size, spelled
 from ..sections.plane import Section
 from ..sheets.content import Row, Table
 from ..sheets.views import View
@@ -22,10 +23,16 @@ from ..solids.properties import MassProperties
 from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
-from .assembly import PlacedPart, draw_parts
+from .assembly import PlacedPart, alone, draw_parts, polyhedra
 from .data_rows import all_rows
 from .following import part_mechanism
 from .sheets import SheetLabels, element_sheet, spoken
+
+if TYPE_CHECKING:
+    import pyvista
+    import trimesh
+
+    from ..viewer.turning_view import TurningView
 
 
 class Element(ABC):
@@ -151,6 +158,37 @@ class Element(ABC):
     def picture(self, path: str | Path, tolerance: float | None = None) -> None:
         """Draws the part into a PNG file. Raises FileError, MachineError."""
         draw_parts([self._part(tolerance)], Path(path), self.description, self.length_unit)
+
+    def assembly(self, tolerance: float | None = None) -> Assembly[Polyhedron]:
+        """The part's polyhedron with its name and colour. Raises GeometryError where the tolerance cannot be met."""
+        return polyhedra([replace(self._part(tolerance), name=self.description)], self.description, self.length_unit)
+
+    def to_trimesh(self, tolerance: float | None = None) -> trimesh.Trimesh:
+        """Its polyhedron as a mesh of trimesh. Raises MachineError without it; GeometryError as `assembly`."""
+        from ..bridges.as_trimesh import trimesh_mesh
+
+        return trimesh_mesh(self.assembly(tolerance).parts[0], self.length_unit)
+
+    def to_pyvista(self, tolerance: float | None = None) -> pyvista.PolyData:
+        """Its polyhedron as a mesh of PyVista. Raises MachineError without it; GeometryError as `assembly`."""
+        from ..bridges.as_pyvista import pyvista_mesh
+
+        return pyvista_mesh(self.assembly(tolerance).parts[0], self.length_unit)
+
+    def show(self, tolerance: float | None = None) -> TurningView:
+        """A view that a notebook shows and turns. Raises GeometryError as `assembly`."""
+        from ..viewer.turning_view import TurningView
+        from .summaries import title_of
+
+        return TurningView(title=title_of(self), assembly=self.assembly(tolerance), view=alone(self.upward))
+
+    def __repr__(self) -> str:
+        return spelled(self)
+
+    def _repr_html_(self) -> str:
+        from .summaries import element_summary
+
+        return element_summary(self)
 
     def _part(self, tolerance: float | None) -> PlacedPart:
         return PlacedPart(

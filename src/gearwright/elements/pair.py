@@ -5,24 +5,33 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import GeometryError, Problem
+from ..files.assembly import Assembly
 from ..files.robots.mechanism import Mechanism
-from ..parameters import Size
+from ..parameters import Size, spelled
 from ..sections.drawings import Profile
 from ..sections.drawings import write as write_profiles
 from ..sheets.writing import require_suffix, write
+from ..solids.polyhedron import Polyhedron
 from ..solids.robots import density_for, refuse_density, save_mechanism
 from ..solids.saving import refuse_clearance
 from . import refusals
-from .assembly import PlacedPart, draw_parts, save_parts
+from .assembly import PlacedPart, draw_parts, polyhedra, save_parts
 from .data_rows import mate_rows
 from .element import Element
 from .following import Following, part_mechanism
 from .sheets import SheetLabels, element_sheet, spoken
+
+if TYPE_CHECKING:
+    import pyvista
+    import trimesh
+
+    from ..viewer.turning_view import TurningView
 
 
 class Pair(ABC):
@@ -153,3 +162,36 @@ class Pair(ABC):
         Raises FileError, MachineError.
         """
         draw_parts(self.parts(tolerance, turn), Path(path), self.description, self.length_unit)
+
+    def assembly(self, tolerance: float | None = None, turn: float = 0.0) -> Assembly[Polyhedron]:
+        """Polyhedra of both members where they mesh. Raises GeometryError where the tolerance cannot be met."""
+        return polyhedra(self.parts(tolerance, turn), self.description, self.length_unit)
+
+    def to_trimesh(self, tolerance: float | None = None, turn: float = 0.0) -> trimesh.Scene:
+        """Polyhedra of both members in mesh as a scene of trimesh. Raises MachineError, GeometryError."""
+        from ..bridges.as_trimesh import trimesh_scene
+
+        return trimesh_scene(self.assembly(tolerance, turn))
+
+    def to_pyvista(self, tolerance: float | None = None, turn: float = 0.0) -> pyvista.MultiBlock:
+        """Polyhedra of both members in mesh as blocks of PyVista. Raises MachineError, GeometryError."""
+        from ..bridges.as_pyvista import pyvista_blocks
+
+        return pyvista_blocks(self.assembly(tolerance, turn))
+
+    def show(self, tolerance: float | None = None) -> TurningView:
+        """A view of both members in mesh that a notebook shows, turns and runs. Raises GeometryError."""
+        from ..viewer.turning import STEP, Turning
+        from ..viewer.turning_view import TurningView
+        from .summaries import title_of
+
+        turnings = tuple(map(Turning.between, self.placements(), self.placements(STEP)))
+        return TurningView(title=title_of(self), assembly=self.assembly(tolerance), turnings=turnings)
+
+    def __repr__(self) -> str:
+        return spelled(self)
+
+    def _repr_html_(self) -> str:
+        from .summaries import pair_summary
+
+        return pair_summary(self)

@@ -49,7 +49,7 @@ _UNCHANGED: dict[str, object] = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Sweep(Element):
     """A plane section swept: straight over a length, along a path in space, or about its y axis by an angle.
 

@@ -8,7 +8,8 @@ from .declaration import Declaration, declarations, declared, entry, member_valu
 from .forms import FileName, Numbers, Points, Several, Table, Text
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
-from .units import LEAST, LENGTH_UNITS, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up
+from .spelling import spelled
+from .units import LEAST, LENGTH_UNITS, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up, unit_text
 
 __all__ = [
     "LEAST",
@@ -36,4 +37,6 @@ __all__ = [
     "member_value",
     "rounded_down",
     "rounded_up",
+    "spelled",
+    "unit_text",
 ]

@@ -61,6 +61,15 @@ def in_words(value: object, unit: Unit, length_unit: str) -> str:
     return (f"{value:.6g}" if isinstance(value, float) and unit else str(value)) + suffix
 
 
+_WORDS: Mapping[Unit, str] = {"angle": "°", "microradian": "µrad", "mm": "mm", "per inch": "1/in", "": ""}
+
+
+def unit_text(unit: Unit, length_unit: str) -> str:
+    """The unit of a derived size as it stands beside a number: "mm²"."""
+    lengths = {"length": length_unit, "area": f"{length_unit}²"}
+    return lengths.get(unit) or _WORDS[unit]
+
+
 def named(name: str, value: object, unit: Unit, length_unit: str) -> str:
     """A name with its value in words: "face_width = 90 mm"; without it where that is nothing, or a long list."""
     words = in_words(value, unit, length_unit)

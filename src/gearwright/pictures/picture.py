@@ -66,17 +66,22 @@ def picture(
         raise FileError(f"{path}: pictures are written as PNG; end the name in .png")
     if not path.parent.is_dir():
         raise FileError(f"{path}: there is no folder {path.parent}; make it first")
+    data = drawn(bodies, title, view, size, length_unit)
+    with written_whole(path) as stream:
+        stream.write(data)
+
+
+def drawn(
+    bodies: Sequence[Body], title: str, view: View | None, size: tuple[int, int], length_unit: str = "mm"
+) -> bytes:
+    """The bytes of a PNG file of bodies, as `picture` writes it.
+
+    Raises ValueError without bodies or for a size that is no picture.
+    """
     if not bodies:
         raise ValueError("a picture needs at least one body")
     if min(size) < 200 or max(size) > 8000:
         raise ValueError(f"picture size = {size}: 200 to 8000 pixels each way are possible")
-    drawn = _drawn(bodies, title, view, size, length_unit)
-    with written_whole(path) as stream:
-        stream.write(drawn)
-
-
-def _drawn(bodies: Sequence[Body], title: str, view: View | None, size: tuple[int, int], length_unit: str) -> bytes:
-    """The PNG file."""
     # numba and matplotlib load here, when a picture is really drawn
     from .annotations import Callout, annotated
     from .image import image
@@ -86,13 +91,13 @@ def _drawn(bodies: Sequence[Body], title: str, view: View | None, size: tuple[in
     points = np.concatenate([vertices for vertices, _ in shapes])
     eye = camera(points, view, _frame(size, title, any(body.label for body in bodies)))
     colours = np.array([body.colour for body in bodies], dtype=float)
-    drawn = image(shapes, colours, eye, size, _BACKGROUND)
+    rendered = image(shapes, colours, eye, size, _BACKGROUND)
     callouts = [
-        Callout(text=body.label, colour=body.colour, mask=drawn.owners == index)
+        Callout(text=body.label, colour=body.colour, mask=rendered.owners == index)
         for index, body in enumerate(bodies)
         if body.label
     ]
-    return annotated(drawn.colours, title, callouts, _axes(eye), _units_a_pixel(eye), length_unit)
+    return annotated(rendered.colours, title, callouts, _axes(eye), _units_a_pixel(eye), length_unit)
 
 
 def _shape(body: Body) -> tuple[Array, Indices]:

@@ -28,7 +28,7 @@ _LOST = 1e-9  # of the distance from the origin: a section smaller than that has
 _COORDINATES = float(np.finfo(float).eps)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Section(LoopedSection):
     """A region of the plane bounded by loops of curves (d = 2).
 
@@ -132,6 +132,11 @@ class Section(LoopedSection):
         from .drawings import Profile, write
 
         write(path, [Profile(section=self)], length_unit=length_unit, tolerance=tolerance)
+
+    def _repr_svg_(self) -> str:
+        from .drawings.svg_picture import svg_picture
+
+        return svg_picture(self)
 
     @cached_property
     def _frame(self) -> tuple[Array, float]:

@@ -19,7 +19,7 @@ from .loop import Loop
 _NODES = 20  # a curve: one of the numbers at which the moments are looked at anyway
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class LoopedSection(ABC):
     """A region bounded by loops: the outer one first and counter-clockwise, holes clockwise.
 
@@ -42,6 +42,11 @@ class LoopedSection(ABC):
     def _of_loops(self) -> list[Array]:
         """Moments of each loop, well enough for their signs."""
         return [self._integral((loop,), _NODES) for loop in self.loops]
+
+    def __repr__(self) -> str:
+        loops = "1 loop" if len(self.loops) == 1 else f"{len(self.loops)} loops"
+        curves = sum(loop.copies * len(loop.curves) for loop in self.loops)
+        return f"<{type(self).__name__} of {loops}, {curves} curve{'' if curves == 1 else 's'}>"
 
     def _sense_problems(self) -> list[Problem]:
         measures = [float(moments[0, 0]) for moments in self._of_loops]

@@ -11,7 +11,7 @@ from .loop import Loop
 from .section import LoopedSection
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class SphericalSection(LoopedSection):
     """A region of the unit sphere bounded by loops of curves (d = 3), seen from outside; −z lies outside it."""
 

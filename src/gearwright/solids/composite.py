@@ -12,7 +12,7 @@ from .interference import united
 from .solid import Solid
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Composite(Solid):
     """Pieces that meet along joints and nowhere else. Moments add; glued faces vanish.
 
@@ -27,6 +27,9 @@ class Composite(Solid):
     def __post_init__(self) -> None:
         if self.joints is None:
             _ = self.boundary
+
+    def __repr__(self) -> str:
+        return f"<Composite of {', '.join(map(repr, self.pieces))}>"
 
     @cached_property
     def boundary(self) -> Boundary:

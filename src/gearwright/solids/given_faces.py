@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..arrays import Array, ArrayLike, Indices
-from ..errors import Problem
+from ..errors import GeometryError, Problem
 from ..moments.faces import Faces, corner_lists
 
 _MOST = 1e150
@@ -60,3 +60,24 @@ def corners_of(faces: Faces, count: int, problems: list[Problem]) -> tuple[Indic
             )
         )
     return indices, offsets
+
+
+def affine_map(matrix: ArrayLike) -> Array:
+    """The matrix (4, 4) of a map r → A r + t. Raises GeometryError if it is not of that form or flattens bodies."""
+    map_ = np.asarray(matrix, float)
+    if (
+        map_.shape != (4, 4)
+        or not np.all(np.isfinite(map_))
+        or not np.array_equal(map_[3], [0.0, 0.0, 0.0, 1.0])
+        or np.linalg.cond(map_[:3, :3]) > 1e12
+    ):
+        raise GeometryError(
+            "A body cannot be transformed by this matrix",
+            [
+                Problem(
+                    f"matrix of shape {map_.shape}",
+                    "[[A, t], [0 0 0 1]] is needed, (4, 4), with an invertible A; points are columns: r → A r + t",
+                )
+            ],
+        )
+    return map_

@@ -13,12 +13,15 @@ from ..placement import Placement
 from .solid import Solid
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Moved(Solid):
     """A solid under a rigid placement: its boundary and its moments move with it."""
 
     solid: Solid
     placement: Placement
+
+    def __repr__(self) -> str:
+        return f"<Moved: {self.solid!r}>"
 
     @cached_property
     def boundary(self) -> Boundary:

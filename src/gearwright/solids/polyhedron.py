@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import pairwise
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,13 +21,19 @@ from ..moments.faces import Corners, Faces, face_vectors, fan_triangles, triangl
 from ..moments.indexed import bounding_box
 from ..moments.polyhedron import PolyhedronMoments, polyhedron_moments
 from .extent import Extent
-from .given_faces import corners_of, points_of
+from .given_faces import affine_map, corners_of, points_of
 from .properties import MassProperties
 from .self_intersections import SelfIntersections, find_self_intersections, overlapping
 from .shell import shell_properties
 from .validity.allowed import allowed_moments
 from .validity.kinds import PROBLEMS, ProblemKind, require_kinds
 from .validity.report import PolyhedronValidity
+
+if TYPE_CHECKING:
+    import pyvista
+    import trimesh
+
+    from ..viewer.turning_view import TurningView
 
 _MOST = 1e60
 """Largest coordinate of a body with properties: fifth powers of lengths must be numbers."""
@@ -120,8 +127,28 @@ class Polyhedron:
 
         Raises FileError, MachineError; GeometryError if a face cannot be cut into triangles where the format needs it.
         """
-        name = Path(path).stem or "body"
-        save_polygons(path, Assembly(name=name, parts=(Part(name=name, shape=self),), length_unit=length_unit))
+        save_polygons(path, self._alone(Path(path).stem or "body", length_unit))
+
+    def to_trimesh(self, *, name: str = "body", length_unit: str | None = "mm") -> trimesh.Trimesh:
+        """As a mesh of trimesh. Raises MachineError without it; GeometryError if a face cannot be cut."""
+        from ..bridges.as_trimesh import trimesh_mesh
+
+        return trimesh_mesh(self._alone(name, length_unit).parts[0], length_unit)
+
+    def to_pyvista(self, *, name: str = "body", length_unit: str | None = "mm") -> pyvista.PolyData:
+        """As a mesh of PyVista, its polygons kept. Raises MachineError without PyVista."""
+        from ..bridges.as_pyvista import pyvista_mesh
+
+        return pyvista_mesh(self._alone(name, length_unit).parts[0], length_unit)
+
+    def show(self, *, title: str = "body", length_unit: str | None = "mm") -> TurningView:
+        """A view that a notebook shows and turns. Raises GeometryError if a face cannot be cut into triangles."""
+        from ..viewer.turning_view import TurningView
+
+        return TurningView(title=title, assembly=self._alone(title, length_unit))
+
+    def _alone(self, name: str, length_unit: str | None) -> Assembly[Polyhedron]:
+        return Assembly(name=name, parts=(Part(name=name, shape=self),), length_unit=length_unit)
 
     @property
     def faces(self) -> Indices | tuple[Indices, ...]:
@@ -137,6 +164,11 @@ class Polyhedron:
 
     def __repr__(self) -> str:
         return f"<Polyhedron of {len(self.offsets) - 1} faces and {len(self.vertices)} vertices>"
+
+    def _repr_html_(self) -> str:
+        from .summaries import polyhedron_summary
+
+        return polyhedron_summary(self)
 
     def validity(self) -> PolyhedronValidity:
         """Report on holes, flipped faces, inward bodies and the like."""
@@ -223,7 +255,7 @@ class Polyhedron:
 
         Raises GeometryError if the matrix is not of that form or flattens the body.
         """
-        map_ = _affine_map(matrix)
+        map_ = affine_map(matrix)
         points = self.vertices @ map_[:3, :3].T + map_[:3, 3]
         rounding = self.rounding * float(np.linalg.norm(map_[:3, :3], 2))
         corners = Corners(self.indices, self.offsets)
@@ -258,23 +290,3 @@ class Polyhedron:
             "This polyhedron cannot be cut into triangles",
             [Problem(f"face {face} of {len(corners)} corners", "no corner sees all of it; split it into convex faces")],
         )
-
-
-def _affine_map(matrix: ArrayLike) -> Array:
-    map_ = np.asarray(matrix, float)
-    if (
-        map_.shape != (4, 4)
-        or not np.all(np.isfinite(map_))
-        or not np.array_equal(map_[3], [0.0, 0.0, 0.0, 1.0])
-        or np.linalg.cond(map_[:3, :3]) > 1e12
-    ):
-        raise GeometryError(
-            "A body cannot be transformed by this matrix",
-            [
-                Problem(
-                    f"matrix of shape {map_.shape}",
-                    "[[A, t], [0 0 0 1]] is needed, (4, 4), with an invertible A; points are columns: r → A r + t",
-                )
-            ],
-        )
-    return map_

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike
 from ..errors import GeometryError, Problem
+from ..html_tables import numbers
 from ..moments.body import BodyMoments, Method
 from ..moments.matrix import inertia_tensor, moment_matrix
 from ..placement import require_rotation
@@ -30,7 +31,7 @@ _ROUNDED = 4e-15
 """Up to which that is rounding; what is beyond stretches the body."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class MassProperties:
     """Volume, centroid and inertia of a body, in the length unit it was built in.
 
@@ -288,6 +289,16 @@ class MassProperties:
             values[name] = dict(zip(("xy", "yz", "zx"), values[name].tolist(), strict=True))
         values["warnings"] = list(self.warnings)
         return {name: v.tolist() if isinstance(v, np.ndarray) else v for name, v in values.items()}
+
+    def __repr__(self) -> str:
+        middle = numbers(self.centroid)
+        mass = "" if self.density == 1.0 else f", mass {self.mass:.7g}"
+        return f"<MassProperties: volume {self.volume:.7g}{mass}, centroid ({middle}), {self.method}>"
+
+    def _repr_html_(self) -> str:
+        from .summaries import properties_summary
+
+        return properties_summary(self)
 
 
 def _moved_extent(body: MassProperties, rotation: Array, shift: Array) -> Extent:

@@ -103,8 +103,13 @@ def save_solids(
         refuse_clearance(path, clearance)
         save_smooth(path, solids, name=name, length_unit=length_unit)
         return
+    save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
+
+
+def polyhedra_of(solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> Assembly[Polyhedron]:
+    """Solids where they stand, as polyhedra. Raises GeometryError where a tolerance cannot be met."""
     parts = tuple(Part(name=s.name, shape=s.polyhedron, placement=s.placement, colour=s.colour) for s in solids)
-    save_polygons(path, Assembly(name=name, parts=parts, length_unit=length_unit))
+    return Assembly(name=name, parts=parts, length_unit=length_unit)
 
 
 def refuse_clearance(path: str | Path, clearance: float) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,12 @@ from .extent import Extent
 from .polyhedron import Polyhedron
 from .properties import MassProperties
 from .self_intersections import SelfIntersections
+
+if TYPE_CHECKING:
+    import pyvista
+    import trimesh
+
+    from ..viewer.turning_view import TurningView
 
 DEFAULT_TOLERANCE = 1e-4
 """Chord tolerance of a polyhedron, relative to the diagonal of the bounding box."""
@@ -93,6 +99,23 @@ class Solid(ABC):
 
         found = smooth(self.boundary, tolerance)
         return shape(found.boundary, found.tolerance)
+
+    def to_trimesh(self, tolerance: float | None = None, *, length_unit: str = "mm") -> trimesh.Trimesh:
+        """Its polyhedron as a mesh of trimesh. Raises MachineError without it; GeometryError like `polyhedron`."""
+        return self.polyhedron(tolerance).to_trimesh(name="solid", length_unit=length_unit)
+
+    def to_pyvista(self, tolerance: float | None = None, *, length_unit: str = "mm") -> pyvista.PolyData:
+        """Its polyhedron as a mesh of PyVista. Raises MachineError without it; GeometryError like `polyhedron`."""
+        return self.polyhedron(tolerance).to_pyvista(name="solid", length_unit=length_unit)
+
+    def show(self, tolerance: float | None = None, *, title: str = "solid", length_unit: str = "mm") -> TurningView:
+        """A view that a notebook shows and turns. Raises GeometryError like `polyhedron`."""
+        return self.polyhedron(tolerance).show(title=title, length_unit=length_unit)
+
+    def _repr_html_(self) -> str:
+        from .summaries import solid_summary
+
+        return solid_summary(self)
 
     def moved(self, rotation: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Solid:
         """The solid moved by r → R r + t, R (3, 3) a rotation, t (3,).

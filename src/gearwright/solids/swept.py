@@ -17,7 +17,7 @@ from .solid import Solid, flux_moments
 from .varying import varying_problems
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Swept(Solid):
     """A section moved by a motion between ends.
 
@@ -34,6 +34,9 @@ class Swept(Solid):
         problems = [Problem("the ends", refusal)] if refusal else self._problems()
         if problems:
             raise GeometryError("The section cannot be swept so", problems)
+
+    def __repr__(self) -> str:
+        return f"<Swept: {self.section!r} by {type(self.motion).__name__}>"
 
     def _problems(self) -> list[Problem]:
         varying = varying_problems(self.section, self.motion, self.ends) if self.section.varies else []

@@ -39,7 +39,7 @@ _LEAVES_LAND = 0.99  # of the largest tip radius that fits
 _RELIEF_HEIGHT = 0.6  # modules
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class BevelGear(Element):
     """A bevel gear: teeth of exact form on the sphere, along any tooth trace, on a body with plane faces.
 

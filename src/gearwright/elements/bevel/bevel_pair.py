@@ -28,7 +28,7 @@ from .tooth import BevelTooth
 _FROM_THE_PAIR = ("pitch_angle", "mate_teeth")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class BevelPair(Pair):
     """A bevel pinion and gear on intersecting axes, pinion first.
 

@@ -50,7 +50,7 @@ _ECCENTRICITY = 0.5  # × base radius: Al-Daccak 1989, ch. 4.5.1
 _PRESSURE_ANGLES = {"translating-roller": 30.0, "oscillating-roller": 45.0}  # degrees, the textbooks' limits
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Cam(Element):
     """A plane disk cam for a follower with a flat face or a roller, translating or oscillating.
 

@@ -37,7 +37,7 @@ _BESIDE_THE_TEETH = {*(field.name for field in fields(Blank)), "pin_diameter", "
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class CylindricalGear(Element):
     """A gear with involute teeth about one axis.
 

@@ -28,7 +28,7 @@ _ROOM = 0.99  # of the largest tip radius where flanks are crowned: their roots 
 _OF_THE_BLANK = tuple(field.name for field in fields(Blank))
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class ExternalGear(CylindricalGear):
     """A cylindrical gear with its teeth outside."""
 

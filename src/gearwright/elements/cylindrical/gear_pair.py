@@ -51,7 +51,7 @@ _OF_THE_AXES = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class GearPair(Pair):
     """Two gears on parallel axes, or a pinion and a rack, in mesh.
 

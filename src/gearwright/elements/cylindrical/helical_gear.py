@@ -9,7 +9,7 @@ from .. import declarations as d
 from .external_gear import ExternalGear
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class HelicalGear(ExternalGear):
     """An external gear with helical teeth.
 

@@ -12,7 +12,7 @@ from .. import declarations as d
 from .external_gear import ExternalGear
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class HerringboneGear(ExternalGear):
     """An external gear with helical teeth of both hands, which meet without a gap at mid-face.
 

@@ -23,7 +23,7 @@ _RIM = 3.0  # modules from the roots to the outside
 _ROOM = 0.999  # of the largest fillet that fits, where the basic rack's does not
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class InternalGear(CylindricalGear):
     """A ring with teeth that point to the axis, straight or helical.
 

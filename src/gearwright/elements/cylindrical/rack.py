@@ -35,7 +35,7 @@ _NUMBERS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Rack(Element):
     """A rack with straight or helical teeth.
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from .external_gear import ExternalGear
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class SpurGear(ExternalGear):
     """An external gear with straight teeth.
 

@@ -1,0 +1,35 @@
+// The plane that cuts the bodies: across x, y or z, at a place between their ends.
+
+import * as three from "three";
+import type { Body } from "./body";
+
+export type Axis = "x" | "y" | "z";
+
+export class Section {
+  axis: Axis | null = null;
+  flipped = false;
+  readonly plane = new three.Plane();
+
+  // box: what the bodies take, about the middle
+  constructor(private readonly box: three.Box3, private readonly middle: three.Vector3) {}
+
+  // From where to where, in the frame of the part.
+  limits(axis: Axis): [number, number] {
+    return [this.box.min[axis] + this.middle[axis], this.box.max[axis] + this.middle[axis]];
+  }
+
+  // Takes away the side of the eye, so that the cut is seen.
+  choose(axis: Axis | null, eye: three.Vector3): void {
+    this.axis = axis;
+    if (axis) this.flipped = eye[axis] < 0;
+  }
+
+  cut(bodies: readonly Body[], position: number): void {
+    if (this.axis) {
+      const sign = this.flipped ? 1 : -1;
+      this.plane.normal.set(0, 0, 0)[this.axis] = sign;
+      this.plane.constant = -sign * (position - this.middle[this.axis]);
+    }
+    for (const body of bodies) body.cutBy(this.axis ? this.plane : null);
+  }
+}
