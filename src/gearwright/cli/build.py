@@ -13,6 +13,7 @@ from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
 from .design import read_design
 from .kinds import article, element_of, said
+from .output_problems import output_problems
 
 DESIGN = Option(metavar="DESIGN.toml", help="The element and its parameters by their Python names.")
 
@@ -35,7 +36,7 @@ def designed(design: Path, outputs: Outputs) -> tuple[catalog.Element, Any]:
     """The kind of element in a design file, and the element. Raises GearwrightError, for these outputs, too."""
     found = read_design(design)
     element, problems = element_of(found.kind, found.kinds, found.values, str)
-    problems = problems + outputs.problems(found.kind)
+    problems = problems + output_problems(outputs, found.kind)
     if problems:
         raise ProblemsError(
             f"{design}: {article(found.kind.name)} {said(found.kind, found.kinds, str)} cannot be built so", problems

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -10,72 +9,10 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..errors import ParameterError, Problem
-from ..materials import DENSITY, material
-from ..parameters import Parameter
-from .options import OUTPUT, option_name
+from .densities import DENSITY_HELP, MATERIAL_HELP, kilograms
+from .options import OUTPUT
 
-TOLERANCE = Parameter(meaning="largest chord distance of the polyhedron", unit="length", above=0)
-CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", unit="length", minimum=0)
-TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
-
-_PLAY = "give the parts their play by backlash, tip clearance and bores; or write polygons, as .3mf or .stl"
-SHEETS, PAPERS = (".dxf", ".svg", ".pdf"), ("A3", "A4")
-"""What `gearwright.sheets` writes, which is not loaded for the help."""
-
-_NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
-
-DENSITY_HELP = "Density ρ in kg/m³; mass is then in kg. Without it, density is 1 per cubed length unit."
-MATERIAL_HELP = "Density of a material; `gearwright materials` lists them."
-
-
-def unsound(values: Mapping[str, tuple[float | None, Parameter]]) -> list[Problem]:
-    """Common options outside their limits."""
-    return [
-        Problem(f"{option_name(name)} = {value:g}", problem)
-        for name, (value, parameter) in values.items()
-        if value is not None and (problem := parameter.problem(value))
-    ]
-
-
-def kilograms(density: float | None, name: str | None) -> float | None:
-    """Density in kg/m³, given as such or by the name of a material; None where neither is given."""
-    return material(name).density if name is not None else density
-
-
-def material_problems(name: str | None) -> list[Problem]:
-    """What is wrong with the name of a material."""
-    try:
-        kilograms(None, name)
-    except ParameterError as error:
-        return [Problem(f"--material {name}", problem.message) for problem in error.problems]
-    return []
-
-
-def _wrong_suffix(name: str, path: Path | None, suffixes: Sequence[str]) -> list[Problem]:
-    """A file whose suffix is not one of those."""
-    if path is None or path.suffix.lower() in suffixes:
-        return []
-    return [Problem(f"{option_name(name)} {path}", f"no such files are written here, but {', '.join(suffixes)}")]
-
-
-def _applies_to(kinds: Sequence[catalog.Element]) -> str:
-    """What an option is for, in words."""
-    return "applies to " + " or ".join(f"a {kind.name}" for kind in kinds)
-
-
-def _one_file_twice(files: Mapping[str, Path | None]) -> list[Problem]:
-    """Outputs that would overwrite each other."""
-    seen: dict[Path, str] = {}
-    problems = []
-    for name, path in files.items():
-        if path is None or path == Path():
-            continue
-        if path.absolute() in seen:
-            other = option_name(seen[path.absolute()])
-            problems.append(Problem(f"{option_name(name)} {path}", f"the file of {other}, too; name another one"))
-        seen[path.absolute()] = name
-    return problems
+PAPERS = ("A3", "A4")
 
 
 def written_suffixes(holds: str = "") -> list[str]:
@@ -86,7 +23,7 @@ def written_suffixes(holds: str = "") -> list[str]:
 
 @dataclass(frozen=True, kw_only=True)
 class Outputs:
-    """Options common to all elements; whether they can be used is the question of `problems`."""
+    """Options common to all elements; whether they can be used is the question of `output_problems`."""
 
     json: Annotated[bool, Option(help="Print JSON instead of tables.", negative=(), show_default=False)] = False
     output: Annotated[
@@ -101,6 +38,10 @@ class Outputs:
     format: Annotated[
         str | None,
         Option(help="Format of the files in a folder, as a suffix.", metavar="SUFFIX", show_default="stl"),
+    ] = None
+    step_schema: Annotated[
+        str | None,
+        Option(help="Schema of STEP files; some programs ask for AP242.", metavar="AP214|AP242", show_default="AP214"),
     ] = None
     clearance: Annotated[
         float | None,
@@ -131,9 +72,9 @@ class Outputs:
     tolerance: Annotated[
         float | None,
         Option(
-            help="Largest chord distance of the polyhedron, of its files and pictures only (> 0).",
+            help="How far written faces, and chords of pictures, may lie from the exact surface (> 0).",
             metavar="LENGTH",
-            show_default="1e-4 × bounding diagonal",
+            show_default="1e-4 × bounding diagonal; of STEP 5e-6 × module",
         ),
     ] = None
     density: Annotated[float | None, Option(help=DENSITY_HELP, metavar="KG/M³")] = None
@@ -178,111 +119,15 @@ class Outputs:
         suffix = self.output.suffix.lower() if self.output is not None else ""
         return next((one for one in catalog.FILE_FORMATS if one.holds == "mechanism" and suffix in one.suffixes), None)
 
-    def _mechanism_problems(self) -> list[Problem]:
-        """That a density is missing where masses are written."""
-        if self.mechanism is None or self.density is not None or self.material is not None:
-            return []
-        needed = f"{self.mechanism.name} holds masses; give a --material NAME, or a --density in kg/m³"
-        return [Problem(f"{option_name('output')} {self.output}", needed)]
-
-    def _material_problems(self) -> list[Problem]:
-        """What is wrong with the material, alone or beside a density."""
-        if self.material is not None and self.density is not None:
-            return [Problem(f"--material {self.material}", "give either a material or a --density, not both")]
-        return material_problems(self.material)
-
-    def _diagram_problems(self, kind: catalog.Element) -> list[Problem]:
-        """What is wrong with the diagram asked for, of an element that draws one or does not."""
-        if self.diagram is None:
-            return []
-        if kind.diagram is None:
-            return [Problem(option_name("diagram"), _applies_to([one for one in catalog.ELEMENTS if one.diagram]))]
-        return _wrong_suffix("diagram", self.diagram, [".png", ".svg"])
+    @property
+    def in_folder(self) -> bool:
+        """Whether files are written to a folder."""
+        return self.output is not None and self.output != Path() and not self.output.suffix
 
     @property
     def suffix(self) -> str:
         """Of the files in a folder."""
         return "." + (self.format or "stl").lower().removeprefix(".")
-
-    def _format_problems(self) -> list[Problem]:
-        """What is wrong with the format of files in a folder, and with a clearance in formats of smooth faces."""
-        problems = []
-        in_folder = self.output is not None and self.output != Path() and not self.output.suffix
-        if self.format is not None and self.suffix not in written_suffixes():
-            known = ", ".join(suffix[1:] for suffix in written_suffixes())
-            problems.append(Problem(f"--format {self.format}", f"one of {known} is needed"))
-        if self.format is not None and not in_folder:
-            named = (
-                f"--output {self.output} names a file, whose suffix is its format" if self.output else "none is named"
-            )
-            problems.append(
-                Problem(f"--format {self.format}", f"applies to the files in a folder (-o FOLDER); {named}")
-            )
-        suffix = self.suffix if in_folder else self.output.suffix.lower() if self.output else ""
-        if self.clearance and suffix in written_suffixes("smooth faces"):
-            given = f"--clearance {self.clearance:g}"
-            problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds smooth ones; {_PLAY}"))
-        return problems
-
-    def _sheet_problems(self) -> list[Problem]:
-        """What is wrong with the sheet asked for."""
-        if self.sheet is None:
-            return [] if self.paper is None else [Problem("--paper", "applies to a --sheet; none is asked for")]
-        if self.paper not in (None, *PAPERS):
-            return [Problem(f"--paper {self.paper}", f"choose {' or '.join(PAPERS)}")]
-        return [] if self.sheet == Path() else _wrong_suffix("sheet", self.sheet, SHEETS)
-
-    def _running_problems(self, kind: catalog.Element) -> list[Problem]:
-        if not self.running or kind.running is not None:
-            return []
-        return [Problem(option_name("running"), _applies_to([one for one in catalog.ELEMENTS if one.running]))]
-
-    def problems(self, kind: catalog.Element) -> list[Problem]:
-        """What is wrong with these options, for an element of a kind."""
-        file = self.output if self.output is not None and self.output.suffix else None
-        files = {
-            "output": self.output,
-            "picture": self.picture,
-            "drawing": self.drawing,
-            "sheet": self.sheet,
-            "convergence": self.plot,
-        }
-        nameless = [name for name, path in files.items() if path == Path()]
-        limited = {"density": DENSITY, "tolerance": TOLERANCE, "turn": TURN, "clearance": CLEARANCE}
-        pairs_only = {"placed": self.placed, "turn": self.turn is not None}
-        given = {name: getattr(self, name) is not None for name in ("tolerance", "clearance")}
-        files_only = {"placed": self.placed, **given}
-        writes = self.output is not None or self.picture is not None
-        return [
-            *unsound({name: (getattr(self, name), parameter) for name, parameter in limited.items()}),
-            *self._material_problems(),
-            *self._mechanism_problems(),
-            *(Problem(option_name(name), "a name is needed") for name in nameless),
-            *_wrong_suffix("output", file, written_suffixes()),
-            *_one_file_twice({**files, "diagram": self.diagram}),
-            *(_wrong_suffix("picture", self.picture, [".png"]) if "picture" not in nameless else []),
-            *(_wrong_suffix("drawing", self.drawing, [".dxf", ".svg"]) if "drawing" not in nameless else []),
-            *(
-                [Problem("--drawing", f"a {kind.name} {_NOT_PLANE}")]
-                if self.drawing is not None and not kind.plane
-                else []
-            ),
-            *(_wrong_suffix("convergence", self.plot, [".png", ".svg"]) if "convergence" not in nameless else []),
-            *self._format_problems(),
-            *self._sheet_problems(),
-            *self._diagram_problems(kind),
-            *self._running_problems(kind),
-            *(
-                Problem(option_name(name), "applies to a pair")
-                for name, given in pairs_only.items()
-                if given and kind.members == 1
-            ),
-            *(
-                Problem(option_name(name), "applies to files and pictures; none is asked for")
-                for name, given in files_only.items()
-                if given and not writes
-            ),
-        ]
 
 
 DEFAULT = Outputs()

@@ -12,6 +12,7 @@ from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
 from .kinds import article, chosen, element_of, kinds_of, parameter_names, parameters_of, said
 from .options import given_values, offered, option_name, signature_parameters
+from .output_problems import output_problems
 from .wording import in_options, text_in_options
 
 Words = Mapping[str, Sequence[str] | None]
@@ -33,7 +34,7 @@ def _command(name: str, kinds: Sequence[catalog.Element]) -> Callable[..., int]:
     def run(*, outputs: Outputs = DEFAULT, **words: Sequence[str] | None) -> int:
         kind = chosen(kinds, words.get("teeth") or None)
         element, problems = element_of(kind, kinds, given_values(parameters, words), option_name)
-        problems = in_options(problems, kinds) + outputs.problems(kind)
+        problems = in_options(problems, kinds) + output_problems(outputs, kind)
         if problems:
             subject = f"{article(kind.name).capitalize()} {said(kind, kinds, option_name)}"
             raise ProblemsError(f"{subject} cannot be built with these options", problems)

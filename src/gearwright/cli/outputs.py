@@ -28,8 +28,14 @@ def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
             if outputs.mechanism is not None:
                 written += _save_mechanism(built, outputs)
             else:
-                length_unit, placed = built.units.length, outputs.placed
-                written += save_parts(parts, outputs.output, length_unit, suffix=outputs.suffix, placed=placed)
+                written += save_parts(
+                    parts,
+                    outputs.output,
+                    built.units.length,
+                    suffix=outputs.suffix,
+                    placed=outputs.placed,
+                    step_schema=outputs.step_schema,
+                )
     if outputs.picture is not None:
         with progress("picture"):
             draw_parts(parts, outputs.picture, built.title, built.units.length)

@@ -13,8 +13,9 @@ from ..errors import GeometryError, ParameterError, Problem, ProblemsError
 from ..materials import DENSITY, material
 from ..parameters import LENGTH_UNITS, MOST, Parameter, did_you_mean
 from ..solids.validity.kinds import ProblemKind
-from .common_options import DENSITY_HELP, MATERIAL_HELP, unsound
+from .densities import DENSITY_HELP, MATERIAL_HELP
 from .measuring import Question
+from .output_problems import unsound
 from .views import FILE_AXES, View, axes_in
 
 Format = Literal["table", "json", "csv", "urdf", "sdf", "mjcf"]

@@ -75,24 +75,32 @@ def in_colours(parts: Sequence[PlacedPart]) -> list[PlacedSolid]:
 
 
 def save_parts(
-    parts: Sequence[PlacedPart], path: Path, length_unit: str, *, suffix: str = ".stl", placed: bool = False
+    parts: Sequence[PlacedPart],
+    path: Path,
+    length_unit: str,
+    *,
+    suffix: str = ".stl",
+    placed: bool = False,
+    step_schema: str | None = None,
 ) -> list[Path]:
     """Writes all parts in place to one file, if the path has a suffix, else each to a file in a folder.
 
-    suffix   of the files in a folder
-    placed   in a folder, too, each part is written where it stands, and not in its own frame
+    suffix        of the files in a folder
+    placed        in a folder, too, each part is written where it stands, and not in its own frame
+    step_schema   of STEP files, as of `save_solids`
 
     Gives the files written. Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
     solids = in_colours(parts)
     if path.suffix:
         folder(path.parent)
-        save_solids(path, solids, name=path.stem, length_unit=length_unit)
+        save_solids(path, solids, name=path.stem, length_unit=length_unit, step_schema=step_schema)
         return [path]
     files = [folder(path) / f"{part.name.replace(' ', '-')}{suffix}" for part in parts]
     for solid, file in zip(solids, files, strict=True):
         where = solid.placement if placed else np.eye(4)
-        save_solids(file, [replace(solid, placement=where)], name=solid.name, length_unit=length_unit)
+        one = [replace(solid, placement=where)]
+        save_solids(file, one, name=solid.name, length_unit=length_unit, step_schema=step_schema)
     return files
 
 

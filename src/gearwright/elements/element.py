@@ -103,21 +103,23 @@ class Element(ABC):
         *,
         clearance: float = 0.0,
         density: str | float | None = None,
+        step_schema: str | None = None,
     ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        clearance   gap (length) between printed parts that would touch, as of `Solid.save`
-        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        clearance     gap (length) between printed parts that would touch, as of `Solid.save`
+        density       the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        step_schema   "AP214", which None stands for, or "AP242", of a STEP file
 
         Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         name = Path(path).stem
         solid = replace(self._part(tolerance).solid, name=name, clearance=clearance)
-        save_solids(path, [solid], name=name, length_unit=self.length_unit, density=density)
+        save_solids(path, [solid], name=name, length_unit=self.length_unit, density=density, step_schema=step_schema)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The part as a shape of Open CASCADE (OCP.TopoDS), in its length unit; see `Solid.to_ocp`."""
-        return self.solid.to_ocp(tolerance or self.smooth_tolerance)
+        return self.solid.to_ocp(self.smooth_tolerance if tolerance is None else tolerance)
 
     def mechanism(self, name: str, density: str | float, tolerance: float | None = None) -> Mechanism:
         """The part as a free body for simulators. Arguments and errors as those of `Pair.mechanism`."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ..sections.drawings import write as write_profiles
 from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.robots import density_for, refuse_density, save_mechanism
-from ..solids.saving import refuse_clearance
+from ..solids.saving import refuse_clearance, refuse_schema
 from . import refusals
 from .assembly import PlacedPart, draw_parts, polyhedra, save_parts
 from .data_rows import mate_rows
@@ -107,24 +107,36 @@ class Pair(ABC):
         *,
         clearance: float = 0.0,
         density: str | float | None = None,
+        step_schema: str | None = None,
         suffix: str = ".stl",
+        turn: float = 0.0,
     ) -> None:
         """Writes both members in mesh to one file, or, if the path has no suffix, each in its own frame to a folder.
 
-        clearance   gap (length) between the printed members where they would touch, as of `Solid.save`
-        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
-        suffix      of the files in a folder, which is their format
+        clearance     gap (length) between the printed members where they would touch, as of `Solid.save`
+        density       the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        step_schema   "AP214", which None stands for, or "AP242", of a STEP file
+        suffix        of the files in a folder, which is their format
+        turn          of the pinion in the file of both (degrees); the gear follows
 
         Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
-        parts = [replace(part, clearance=clearance) for part in self.parts(tolerance)]
+        parts = [replace(part, clearance=clearance) for part in self.parts(tolerance, turn)]
         if not Path(path).suffix:
             refuse_density(path, density)
         elif (needed := density_for(path, density)) is not None:
             refuse_clearance(path, clearance)
-            save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance))
+            refuse_schema(path, step_schema)
+            save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance, turn))
             return
-        save_parts(parts, Path(path), self.length_unit, suffix=suffix)
+        save_parts(parts, Path(path), self.length_unit, suffix=suffix, step_schema=step_schema)
+
+    def to_ocp(self, tolerance: float | None = None, turn: float = 0.0) -> Any:
+        """Both members in mesh as a compound of Open CASCADE (OCP.TopoDS), pinion first; see `Solid.to_ocp`."""
+        from ..files.step.brep.shape import together
+
+        members = (self.pinion, self.gear)
+        return together((m.to_ocp(tolerance), p) for m, p in zip(members, self.placements(turn), strict=True))
 
     def save_drawing(self, path: str | Path) -> None:
         """Writes the profiles of both members in mesh, each on its own layer, as a DXF or SVG drawing.

@@ -17,8 +17,8 @@ from ..colours import Colour
 from ..errors import FileError, GeometryError, Problem
 from ..files.assembly import Assembly, Part, Smooth
 from ..files.formats import format_of
+from ..files.step.writer import write as write_step
 from ..files.writing import save_polygons
-from ..sources import load
 from .clearance import with_clearance
 from .polyhedron import Polyhedron
 from .properties import MassProperties
@@ -64,7 +64,7 @@ class PlacedSolid:
     @property
     def smooth(self) -> Smooth:
         """In the solid's own frame."""
-        return smooth(self.solid.boundary, self.tolerance or self.smooth_tolerance)
+        return smooth(self.solid.boundary, self.smooth_tolerance if self.tolerance is None else self.tolerance)
 
 
 def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
@@ -84,10 +84,12 @@ def save_solids(
     name: str,
     length_unit: str | None,
     density: str | float | None = None,
+    step_schema: str | None = None,
 ) -> None:
     """Writes solids where they stand to one file in the format of its suffix, whole or not at all.
 
-    density   the name of a material, or kg/m³, for a format that holds masses and for no other
+    density       the name of a material, or kg/m³, for a format that holds masses and for no other
+    step_schema   "AP214", which None stands for, or "AP242", for STEP and no other format
 
     Raises FileError, MachineError; GeometryError where a tolerance cannot be met.
     """
@@ -95,13 +97,15 @@ def save_solids(
 
     clearance = max(solid.clearance for solid in solids)
     needed = density_for(path, density)
+    if format_of(path, "written").holds != "smooth faces":
+        refuse_schema(path, step_schema)
     if needed is not None:
         refuse_clearance(path, clearance)
         save_mechanism(path, mechanism_of(name, solids, needed, length_unit or ""))
         return
     if format_of(path, "written").holds == "smooth faces":
         refuse_clearance(path, clearance)
-        save_smooth(path, solids, name=name, length_unit=length_unit)
+        write_step(path, smooth_of(solids, name=name, length_unit=length_unit), schema=step_schema or "AP214")
         return
     save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
 
@@ -122,7 +126,13 @@ def refuse_clearance(path: str | Path, clearance: float) -> None:
         )
 
 
-def save_smooth(path: str | Path, solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> None:
-    """Writes solids with their smooth faces. Raises as `save_solids`."""
+def refuse_schema(path: str | Path, step_schema: str | None) -> None:
+    """Raises FileError for a schema in a file that is no STEP file."""
+    if step_schema is not None:
+        raise FileError(f"{path}: {step_schema} is a schema of STEP files; leave it out, or write .step")
+
+
+def smooth_of(solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> Assembly[Smooth]:
+    """Solids where they stand, with their smooth faces. Raises GeometryError for a tolerance that is none."""
     parts = tuple(Part(name=s.name, shape=s.smooth, placement=s.placement, colour=s.colour) for s in solids)
-    load(format_of(path, "written").writer or "")(path, Assembly(name=name, parts=parts, length_unit=length_unit))
+    return Assembly(name=name, parts=parts, length_unit=length_unit)

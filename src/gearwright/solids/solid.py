@@ -72,11 +72,13 @@ class Solid(ABC):
         *,
         clearance: float = 0.0,
         density: str | float | None = None,
+        step_schema: str | None = None,
     ) -> None:
         """Writes a file in the format of its suffix: smooth faces or a polyhedron, within a tolerance (length).
 
-        clearance   gap (length) between printed parts that would touch: faces of polyhedra lie half of it deeper
-        density     the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        clearance     gap (length) between printed parts that would touch: faces of polyhedra lie half of it deeper
+        density       the name of a material, or kg/m³: needed where the format holds masses, refused elsewhere
+        step_schema   "AP214", which None stands for, or "AP242", of a STEP file
 
         Default tolerances: 1e-7 × bounding diagonal for smooth faces, 1e-4 × for chords. Raises FileError, also for
         a clearance of smooth faces; MachineError; GeometryError where tolerance or clearance cannot be met.
@@ -85,7 +87,7 @@ class Solid(ABC):
 
         name = Path(path).stem
         placed = PlacedSolid(name=name, solid=self, tolerance=tolerance, clearance=clearance)
-        save_solids(path, [placed], name=name, length_unit=length_unit, density=density)
+        save_solids(path, [placed], name=name, length_unit=length_unit, density=density, step_schema=step_schema)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The solid as a shape of Open CASCADE (OCP.TopoDS), in its own length unit, for CadQuery and build123d.

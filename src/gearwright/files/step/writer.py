@@ -6,7 +6,7 @@ import io
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -18,25 +18,25 @@ from .brep.edges import transform
 from .brep.shape import shape
 from .kernel import kernel
 
-Schema = Literal["AP214", "AP242"]
-
-SCHEMAS: Mapping[Schema, str] = {"AP214": "AP214IS", "AP242": "AP242DIS"}
+SCHEMAS: Mapping[str, str] = {"AP214": "AP214IS", "AP242": "AP242DIS"}
 """Application protocols of ISO 10303 by their numbers, and Open CASCADE's names for them."""
 
 _UNITS = {"mm": ("MM", 1e-3), "cm": ("CM", 1e-2), "m": ("M", 1.0), "in": ("INCH", 0.0254), "ft": ("FT", 0.3048)}
 """Open CASCADE's names of length units, and metres."""
 
 
-def write(path: str | Path, assembly: Assembly[Smooth], *, schema: Schema = "AP214") -> None:
+def write(path: str | Path, assembly: Assembly[Smooth], *, schema: str = "AP214") -> None:
     """Writes the parts where they stand as smooth solids, whole or not at all; several as an assembly.
 
     Faces are within the parts' tolerances of their boundaries. The header says them.
-    Raises GeometryError where a tolerance cannot be met; FileError for a unit that STEP has no name for or a name that
-    is not a file's; MachineError without the extra `step` or if the disk does not take it.
+    Raises GeometryError where a tolerance cannot be met; FileError for a unit or a schema that is none of STEP's or a
+    name that is not a file's; MachineError without the extra `step` or if the disk does not take it.
     """
     unit = assembly.length_unit or "mm"
     if unit not in _UNITS:
         raise FileError(f"{path}: lengths in {unit} are not written to STEP files, but {', '.join(_UNITS)}")
+    if schema not in SCHEMAS:
+        raise FileError(f"{path}: {schema} is no schema of STEP files that is written; choose {' or '.join(SCHEMAS)}")
     kernel()
     document = _document(assembly, unit)
     data = _written(document, assembly, schema, _UNITS[unit][0], str(path))
@@ -87,7 +87,7 @@ def _paint(colours: Any, label: Any, part: Part[Smooth]) -> None:
         colours.SetColor(label, colour, XCAFDoc_ColorType.XCAFDoc_ColorGen)
 
 
-def _written(document: Any, assembly: Assembly[Smooth], schema: Schema, unit: str, path: str) -> bytes:
+def _written(document: Any, assembly: Assembly[Smooth], schema: str, unit: str, path: str) -> bytes:
     from OCP.IFSelect import IFSelect_RetDone
     from OCP.STEPCAFControl import STEPCAFControl_Writer
 

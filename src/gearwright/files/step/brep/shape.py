@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from ....arrays import Array
 from ....boundary.boundary import Boundary
 from ....boundary.pattern import ALONE, Pattern
+from ....placement import Placement
 from ..kernel import kernel
 from .approximation import approximation
 from .edges import Edges, Image, transform
@@ -29,6 +31,21 @@ def shape(boundary: Boundary, tolerance: float) -> Any:
     templates += [(of_cap(cap, tolerance), ALONE) for cap in boundary.caps]
     edges = Edges(found, _cuts(template for template, _ in templates))
     return solid_of([made for template, pattern in templates for made in _images(template, pattern, edges)])
+
+
+def together(shapes: Iterable[tuple[Any, Array]]) -> Any:
+    """A compound of shapes put in their places by matrices (4, 4). Raises MachineError without the extra `step`."""
+    kernel()
+    from OCP.BRep import BRep_Builder
+    from OCP.TopLoc import TopLoc_Location
+    from OCP.TopoDS import TopoDS_Compound
+
+    builder, whole = BRep_Builder(), TopoDS_Compound()
+    builder.MakeCompound(whole)
+    for one, matrix in shapes:
+        place = transform(Placement.of(matrix[:3, :3], matrix[:3, 3]))
+        builder.Add(whole, one.Moved(TopLoc_Location(place)))
+    return whole
 
 
 def _cuts(templates: Iterable[Template]) -> dict[Image, list[float]]:
