@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 
 _GRID = 9  # samples a side of a patch, and a panel
 _NEAREST = 24  # samples of which those first in their patches are where a point's foot is searched from
-_STEPS = 12  # of Gauss–Newton, at most; it is quadratic where the surface is nearer than its radius of curvature
-_ASIDE = 0.02  # of a patch's width: on a border where a curve has a cusp, as an involute has, no step leads away
+_STEPS = 30  # of Gauss–Newton, at most; it is quadratic where the surface is nearer than its radius of curvature
+_ASIDE = 0.02  # of a patch's width: where a search begins
+_BORDER = 1e-9  # of it: how near to the border a search goes; at a cusp on it, as involutes have, no step leads away
 _STILL = 1e-14  # of a patch's width: a step that moves no point any more
 _MOST_STARTS = 6  # patches from which places of least distance are searched
 _SHRINKAGES = 13  # halvings of the grids on which they are: the last is 1/65536 of a patch wide
@@ -153,10 +154,18 @@ def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
         u, v = np.sum(off * du, axis=1), np.sum(off * dv, axis=1)
         determinant = uu * vv - uv * uv
         determinant = np.where(determinant > 1e-14 * uu * vv, determinant, np.inf)
-        step = np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
-        before, at = at, np.clip(at + step, 0.0, 1.0)
+        before, at = at, at + np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
+        # where one fraction would leave the patch it stops at the border, and the other goes as far as is best there
+        for stopped, other, own, right in ((0, 1, vv, v), (1, 0, uu, u)):
+            beyond = (at[:, stopped] < _BORDER) | (at[:, stopped] > 1.0 - _BORDER)
+            moved = np.clip(at[:, stopped], _BORDER, 1.0 - _BORDER) - before[:, stopped]
+            best = before[:, other] + (right - uv * moved) / np.where(own > 0.0, own, np.inf)
+            at[:, other] = np.where(beyond, best, at[:, other])
+            at[:, stopped] = np.where(beyond, before[:, stopped] + moved, at[:, stopped])
+        at = np.clip(at, _BORDER, 1.0 - _BORDER)
         if np.max(np.abs(at - before), initial=0.0) < _STILL:
             break
+    at = np.where(at <= _BORDER, 0.0, np.where(at >= 1.0 - _BORDER, 1.0, at))
     off = points - patch.point(*at.T)
     distance = np.linalg.norm(off, axis=1)
     normal = patch.area_vector(*at.T)

@@ -31,6 +31,13 @@ _SHARE = 0.25
 _MOST_SPANS = 4000
 """Spans of a curve beyond which a tolerance is taken for a slip: gigabytes of poles."""
 
+_PATIENCE = 64
+_LEAST_ORDER = 3
+"""Beyond so many spans an error that falls more slowly than with their third power shows a kink that nobody named."""
+
+_STEP, _JUMP = 1e-4, 1e-4
+"""Of a curve's fractions, and of its speed: how derivatives at kinks are told."""
+
 _FINEST = 8.0
 """Least tolerance, in SAME × size: below that the points themselves are not known."""
 
@@ -74,10 +81,11 @@ def approximation(boundary: Boundary, tolerance: float) -> Approximation:
     edges = {edge: line for edge in boundary.edges if (line := _elementary(edge)) is not None}
     groups = Groups(boundary)
     samples = _samples(boundary, found, edges, groups)
-    bases = {
-        group: _fine_enough(group, coarsest(_panels(boundary, groups, group)), samples[group], tolerance)
-        for group in samples
-    }
+    bases = {}
+    for group, own_samples in samples.items():
+        panels = _panels(boundary, groups, group)
+        start = coarsest(panels, _kinks(panels, own_samples))
+        bases[group] = _fine_enough(group, start, own_samples, tolerance)
     for patch in (patch for patch, surface in found.items() if surface is None):
         _refine(patch, groups, bases, tolerance)
     own = {edge: bases[groups.of(edge)] for edge in boundary.edges if groups.of(edge) in bases}
@@ -93,8 +101,9 @@ def _refine(patch: Patch, groups: Groups, bases: dict[Edge, Basis], tolerance: f
     """Makes the bases fine enough for the product of both."""
     across, up = (groups.of(patch.sides[k].edge) for k in (0, 1))
     while (error := _product_error(patch, bases[across], bases[up])) > tolerance:
+        if max(bases[across].spans, bases[up].spans) > _MOST_SPANS:
+            raise _impossible(patch.name, tolerance, error)
         bases[across], bases[up] = bases[across].finer(error / tolerance), bases[up].finer(error / tolerance)
-        _require_possible(bases[across], patch.name, tolerance)
 
 
 def _surface(patch: Patch, found: Found | None, bases: Mapping[Edge, Basis]) -> Surface:
@@ -181,22 +190,43 @@ def _panels(boundary: Boundary, groups: Groups, group: Edge) -> tuple[float, ...
     return tuple(merged[np.diff(merged, prepend=0.0) > SAME].tolist()) if merged.size else ()
 
 
+def _kinks(panels: tuple[float, ...], samples: Sequence[Sample]) -> tuple[float, ...]:
+    """The panels' ends at which a derivative jumps, as that of a Frenet frame does where a path's third one jumps."""
+    if not panels:
+        return ()
+    at = np.array(panels)
+    jumps = np.zeros(len(at))
+    for sample in samples:
+        points = sample((at[:, None] + _STEP * np.arange(-2.0, 3.0)).ravel()).reshape(-1, len(at), 5, 3)
+        # one-sided differences of second order
+        before = np.einsum("klmi,m->kli", points[:, :, :3], [1.0, -4.0, 3.0])
+        after = np.einsum("klmi,m->kli", points[:, :, 2:], [-3.0, 4.0, -1.0])
+        size = np.linalg.norm(before, axis=-1).max()
+        jumps = np.maximum(jumps, np.linalg.norm(after - before, axis=-1).max(axis=0) / size)
+    return tuple(at[jumps > _JUMP].tolist())
+
+
 def _fine_enough(group: Edge, basis: Basis, samples: Sequence[Sample], tolerance: float) -> Basis:
-    while (error := max(_error(basis, sample) for sample in samples)) > _SHARE * tolerance:
-        basis = basis.finer(error / (_SHARE * tolerance))
-        _require_possible(basis, group.name, tolerance)
+    wanted = _SHARE * tolerance
+    error = max(_error(basis, sample) for sample in samples)
+    while error > wanted:
+        finer = basis.finer(error / wanted)
+        found = max(_error(finer, sample) for sample in samples)
+        slow = basis.degree == finer.degree and found > error * (basis.spans / finer.spans) ** _LEAST_ORDER
+        if finer.spans > _MOST_SPANS or (slow and finer.spans > _PATIENCE):
+            raise _impossible(group.name, tolerance, found / _SHARE)
+        basis, error = finer, found
     return basis
+
+
+def _impossible(name: str, tolerance: float, least: float) -> GeometryError:
+    problem = f"a spline of {name} would need too many polynomials one after another; {least:.2g} is possible"
+    return GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:.3g}", problem)])
 
 
 def _error(basis: Basis, sample: Sample) -> float:
     found = basis.values(basis.poles(sample(basis.nodes), axis=1), basis.checks, axis=1)
     return float(np.max(np.linalg.norm(found - sample(basis.checks), axis=-1)))
-
-
-def _require_possible(basis: Basis, name: str, tolerance: float) -> None:
-    if basis.spans > _MOST_SPANS:
-        problem = f"{name} would need more than {_MOST_SPANS} polynomials one after another; take a greater tolerance"
-        raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:.3g}", problem)])
 
 
 def _poles(patch: Patch, across: Basis, up: Basis) -> Array:

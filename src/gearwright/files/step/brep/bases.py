@@ -6,7 +6,7 @@ there is always exactly one interpolant (Schoenberg & Whitney). The error falls 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +16,7 @@ from ....curves.curve import in_panels
 
 DEGREE = 7
 _ROOM, _MOST_GROWTH = 1.05, 4.0
-_SMOOTH = 1  # multiplicity of a knot between spans of one panel; between panels DEGREE − 1, which leaves C¹
+_SMOOTH = 1  # multiplicity of a knot between spans of one panel; between panels degree − 1, which leaves C¹
 
 
 @dataclass(frozen=True)
@@ -24,11 +24,13 @@ class Basis:
     """B-splines with so many equal spans in each panel; one of degree 1 and a single span holds straight lines.
 
     panels   fractions at which what is interpolated is smooth but not analytic
+    kinks    those of them at which its derivative jumps
     """
 
     degree: int
     spans: int
     panels: tuple[float, ...] = ()
+    kinks: tuple[float, ...] = ()
 
     @cached_property
     def breaks(self) -> Array:
@@ -38,8 +40,12 @@ class Basis:
     @cached_property
     def multiplicities(self) -> tuple[int, ...]:
         ends = self.degree + 1
-        inner = [self.degree - 1 if any(b == p for p in self.panels) else _SMOOTH for b in self.breaks[1:-1].tolist()]
-        return (ends, *inner, ends)
+        return (ends, *map(self._multiplicity, self.breaks[1:-1].tolist()), ends)
+
+    def _multiplicity(self, knot: float) -> int:
+        if knot in self.kinks:
+            return self.degree
+        return self.degree - 1 if knot in self.panels else _SMOOTH
 
     @cached_property
     def knots(self) -> Array:
@@ -83,15 +89,15 @@ class Basis:
     def finer(self, excess: float) -> Basis:
         """The next one to try where the error is so many times what it may be."""
         if self.degree == 1:
-            return Basis(DEGREE, 1, self.panels)
+            return replace(self, degree=DEGREE)
         growth = min(max(_ROOM * excess ** (1.0 / (DEGREE + 1)), 1.0), _MOST_GROWTH)
-        return Basis(DEGREE, max(self.spans + 1, int(np.ceil(growth * self.spans))), self.panels)
+        return replace(self, spans=max(self.spans + 1, int(np.ceil(growth * self.spans))))
 
 
 COARSEST = Basis(1, 1)
 """What straight lines at even speed need."""
 
 
-def coarsest(panels: tuple[float, ...]) -> Basis:
+def coarsest(panels: tuple[float, ...], kinks: tuple[float, ...]) -> Basis:
     """The first basis to try for what has such panels."""
-    return Basis(DEGREE, 1, panels) if panels else COARSEST
+    return Basis(DEGREE, 1, panels, kinks) if panels else COARSEST
