@@ -32,7 +32,9 @@ def write(path: str | Path, assembly: Assembly[Smooth], *, schema: str = "AP214"
     Raises GeometryError where a tolerance cannot be met; FileError for a unit or a schema that is none of STEP's or a
     name that is not a file's; MachineError without the extra `step` or if the disk does not take it.
     """
-    unit = assembly.length_unit or "mm"
+    unit = assembly.length_unit
+    if unit is None:
+        raise FileError(f"{path}: STEP files state a unit of length, and none is known; give a length_unit")
     if unit not in _UNITS:
         raise FileError(f"{path}: lengths in {unit} are not written to STEP files, but {', '.join(_UNITS)}")
     if schema not in SCHEMAS:
@@ -124,7 +126,6 @@ def _head(writer: Any, assembly: Assembly[Smooth]) -> None:
     from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
     from OCP.TCollection import TCollection_HAsciiString
 
-    unit = assembly.length_unit or "mm"
     within = max(part.shape.tolerance for part in assembly.parts)
     head = APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
     for put, text in (
@@ -133,5 +134,7 @@ def _head(writer: Any, assembly: Assembly[Smooth]) -> None:
         (head.SetPreprocessorVersion, "Open CASCADE"),
     ):
         put(TCollection_HAsciiString(text))
-    said = f"smooth faces within {within:.3g} {unit} of the exact surfaces"
+    for put in (head.SetAuthorValue, head.SetOrganizationValue):
+        put(1, TCollection_HAsciiString(""))
+    said = f"smooth faces within {within:.3g} {assembly.length_unit} of the exact surfaces"
     head.SetDescriptionValue(1, TCollection_HAsciiString(said))
