@@ -9,6 +9,7 @@ import pytest
 import gearwright as gw
 from gearwright import catalog
 from gearwright.cli import common_options
+from gearwright.cli.output_problems import output_problems
 from gearwright.sections import drawings
 
 SPUR = "spur --teeth 18 --module 4 --face-width 20 --bore 14".split()
@@ -87,7 +88,7 @@ def test_a_folder_that_cannot_be_and_a_missing_extra(run, tmp_path, monkeypatch)
 def test_the_option_accepts_what_is_written():
     kind = next(one for one in catalog.ELEMENTS if one.plane)
     for suffix in (*drawings.WRITTEN, ".png", ".stl"):
-        refused = common_options.Outputs(drawing=Path(f"drawing{suffix}")).problems(kind)
+        refused = output_problems(common_options.Outputs(drawing=Path(f"drawing{suffix}")), kind)
         assert bool(refused) == (suffix not in drawings.WRITTEN)
 
 

@@ -136,7 +136,9 @@ def test_an_option_of_pairs_is_refused_for_one(run, option):
         (["--tolerance", "nan"], "--tolerance = nan: a finite number is needed"),
         (["--density", "0"], "--density = 0: must be greater than 0"),
         (["--density", "steel"], "--density"),
-        (["-o", "gear.step"], "gear.step"),
+        (["-o", "gear.igs"], "gear.igs"),
+        (["-o", "gear.step", "--step-schema", "AP203"], "choose AP214 or AP242"),
+        (["-o", "gear.stl", "--step-schema", "AP242"], "applies to STEP files"),
         (["--picture", "gear.gif"], ".png"),
     ],
 )

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from gearwright import sheets
+from gearwright import catalog, sheets
 from gearwright.cli import common_options
+from gearwright.cli.output_problems import output_problems
 from gearwright.sheets.papers import PAPERS
 
 SPUR = "spur --teeth 18 --module 4 --face-width 20 --bore 14".split()
@@ -49,6 +50,8 @@ def test_what_cannot_be_drawn_is_refused_before_anything_is_written(run, words, 
 
 
 def test_the_options_accept_what_is_written():
-    assert common_options.SHEETS == sheets.WRITTEN
+    kind = next(one for one in catalog.ELEMENTS if one.plane)
+    for suffix in (*sheets.WRITTEN, ".png", ".stl"):
+        refused = output_problems(common_options.Outputs(sheet=Path(f"a{suffix}")), kind)
+        assert bool(refused) == (suffix not in sheets.WRITTEN)
     assert tuple(PAPERS) == common_options.PAPERS
-    assert Path(f"a{sheets.WRITTEN[0]}").suffix in common_options.SHEETS

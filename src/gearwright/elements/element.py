@@ -20,7 +20,8 @@ from ..sheets.views import View
 from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
-from ..solids.saving import save_solids
+from ..solids.robots import density_for, save_mechanism
+from ..solids.saving import refuse_clearance, refuse_schema, save_solids
 from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, alone, draw_parts, polyhedra
@@ -114,8 +115,13 @@ class Element(ABC):
         Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         name = Path(path).stem
+        if (needed := density_for(path, density)) is not None:
+            refuse_clearance(path, clearance)
+            refuse_schema(path, step_schema)
+            save_mechanism(path, self.mechanism(name, needed, tolerance))
+            return
         solid = replace(self._part(tolerance).solid, name=name, clearance=clearance)
-        save_solids(path, [solid], name=name, length_unit=self.length_unit, density=density, step_schema=step_schema)
+        save_solids(path, [solid], name=name, length_unit=self.length_unit, step_schema=step_schema)
 
     def to_ocp(self, tolerance: float | None = None) -> Any:
         """The part as a shape of Open CASCADE (OCP.TopoDS), in its length unit; see `Solid.to_ocp`."""
