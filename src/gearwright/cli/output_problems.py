@@ -108,10 +108,10 @@ def _one_file_twice(files: Mapping[str, Path | None]) -> list[Problem]:
     for name, path in files.items():
         if path is None or path == Path():
             continue
-        if path.absolute() in seen:
-            other = option_name(seen[path.absolute()])
+        if path.resolve() in seen:
+            other = option_name(seen[path.resolve()])
             problems.append(Problem(f"{option_name(name)} {path}", f"the file of {other}, too; name another one"))
-        seen[path.absolute()] = name
+        seen[path.resolve()] = name
     return problems
 
 

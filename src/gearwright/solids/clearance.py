@@ -44,16 +44,13 @@ def with_clearance(body: Polyhedron, clearance: float) -> Polyhedron:
     least, face = _first_turned(body, steps, units, sound)
     if clearance / 2.0 < least:
         moved = _moved(body, steps, clearance / 2.0)
-        crossings = moved.self_intersections()
-        if not crossings or crossings.count <= body.self_intersections().count:
+        if not (spoilt := _spoilt(body, moved)):
             return moved
-        x, y, z = crossings.points[0]
-        least = _first_crossing(body, steps, clearance / 2.0)
-        what = f"faces near ({x:.6g}, {y:.6g}, {z:.6g}) pass through each other"
+        least, what = _first_spoilt(body, steps, clearance / 2.0), spoilt
     else:
         x, y, z = body.vertices[body.indices[body.offsets[face]]]
         what = f"face {face} near ({x:.6g}, {y:.6g}, {z:.6g}) turns over: the part is no thicker there"
-    limit = f"it must be less than {2.0 * least:.3g}" if least > 0.0 else "it bears none"
+    limit = f"it must be less than {_rounded_down(2.0 * least):.3g}" if least > 0.0 else "it bears none"
     raise GeometryError(
         "This clearance is too large for the part",
         [
@@ -146,12 +143,26 @@ def _first_turned(body: Polyhedron, steps: Array, units: Array, sound: Array) ->
     return depth * float(least[face]), face
 
 
-def _first_crossing(body: Polyhedron, steps: Array, too_deep: float) -> float:
-    """A depth at which no faces pass through each other that did not before, near the largest such."""
-    before = body.self_intersections().count
+def _spoilt(body: Polyhedron, moved: Polyhedron) -> str:
+    """What is wrong with the moved body that was not with the body, in words; empty where nothing is."""
+    crossings = moved.self_intersections()
+    if crossings and crossings.count > body.self_intersections().count:
+        x, y, z = crossings.points[0]
+        return f"faces near ({x:.6g}, {y:.6g}, {z:.6g}) pass through each other"
+    new = [problem for kind, problem in moved.validity().found.items() if kind not in body.validity().found]
+    return f"walls vanish: {new[0]}" if new else ""
+
+
+def _first_spoilt(body: Polyhedron, steps: Array, too_deep: float) -> float:
+    """A depth at which nothing is wrong yet, near the largest such."""
     low, high = 0.0, too_deep
     for _ in range(_STEPS):
         middle = (low + high) / 2.0
-        crossing = _moved(body, steps, middle).self_intersections().count > before
-        low, high = (low, middle) if crossing else (middle, high)
+        low, high = (low, middle) if _spoilt(body, _moved(body, steps, middle)) else (middle, high)
     return low
+
+
+def _rounded_down(length: float) -> float:
+    """To three digits."""
+    digit = 10.0 ** (np.floor(np.log10(length)) - 2.0)
+    return float(np.floor(length / digit) * digit)

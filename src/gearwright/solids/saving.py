@@ -27,6 +27,10 @@ SMOOTH_TOLERANCE = 1e-7
 """How far smooth faces in a file may lie from the solid's, in diagonals of its bounding box, where nothing is said."""
 
 
+_ROUNDING = 2e-11
+"""Of the largest coordinate: what sixteen digits leave far from the origin, with room."""
+
+
 class Shape(Protocol):
     """What has a boundary, properties, and polyhedra within tolerances of it: solids, elements."""
 
@@ -70,7 +74,8 @@ class PlacedSolid:
 def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
     """Smooth faces within a tolerance (length), by default SMOOTH_TOLERANCE. Raises GeometryError if it is none."""
     if tolerance is None:
-        tolerance = SMOOTH_TOLERANCE * rough_diagonal(boundary)
+        farthest = max(float(np.abs(edge.curve.start).max()) for edge in boundary.edges)
+        tolerance = max(SMOOTH_TOLERANCE * rough_diagonal(boundary), _ROUNDING * farthest)
     if not 0.0 < tolerance < np.inf:
         wanted = "a finite length greater than 0 is needed"
         raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])

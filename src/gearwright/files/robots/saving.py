@@ -32,7 +32,7 @@ def save(path: str | Path, mechanism: Mechanism, document: bytes) -> list[Path]:
     Raises FileError, also where XML cannot hold the mechanism's name; MachineError.
     """
     if not mechanism.name.isprintable():
-        raise FileError(f"{path!r}: the file's name stands in it, and XML cannot hold it; take letters and digits")
+        raise FileError(f"{str(path)!r}: the file's name stands in it, and XML cannot hold it; take letters and digits")
     target = Path(path)
     with written_together(target.parent) as staged:
         meshes = staged / folder_of(mechanism)

@@ -12,10 +12,10 @@ from ..contents import SmoothProperties
 _ACCURACY = 1e-9
 """Relative, asked of the adaptive Gauss–Kronrod rule on every face."""
 
-_AGREES = 1e-8
-"""Relative difference of two volumes below which the plain Gauss rule has resolved every face.
+_AGREES = 2e-7
+"""Relative difference of two volumes below which the plain Gauss rule has resolved every face, for moments as well.
 
-It is exact where faces are elementary, and by far faster for moments: the adaptive rule spends seconds on moments that
+It is exact where faces are elementary, and by far faster for moments: the adaptive rule spends minutes on moments that
 vanish by symmetry. On faces bounded by splines it is silently wrong by 1e-3 and more, and so is the adaptive Gauss
 rule, by tenths; both are never used there.
 """

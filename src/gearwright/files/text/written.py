@@ -21,6 +21,6 @@ def rows(template: str, table: Array | Indices) -> Iterator[bytes]:
 
 
 def one_line(name: str) -> str:
-    """A name without line ends and control characters; what no text in UTF-8 can hold becomes "?"."""
-    visible = "".join(c if c.isprintable() else " " if c.isspace() else "?" for c in name)
+    """A name without line ends, control characters and backslashes, which join lines; "?" stands for each."""
+    visible = "".join(c if c.isprintable() and c != "\\" else " " if c.isspace() else "?" for c in name)
     return " ".join(visible.split())
