@@ -1,12 +1,12 @@
 """Bevel pairs from nothing to STEP files, beside py-gearworks and build123d; STL files beside trimesh and numpy-stl.
 
-A 16/20 pair, module 12.7 mm, 38.1 mm wide, straight and spiral by 35°: both members built and written to one STEP file,
-after everything is imported. Both files are read again: whether Open CASCADE finds their solids valid, and how far their
-volumes are from the exact ones (ours alone; the peer's pair has other ends and no exact volume). STL is the triangles of
-a spiral gear to a tolerance that makes about 100,000 of them, written only.
+A 16/20 pair, module 12.7 mm, 38.1 mm wide, straight and spiral by 35°: both members built and written to one STEP
+file, after everything is imported. Both files are read again: whether Open CASCADE finds their solids valid; how far
+ours are from the exact volumes (the peer's pair has other ends and no exact volume). STL is a spiral gear in about
+100,000 triangles, written only.
 
-All times are CPU seconds, medians. What limits us: half is splines in the tolerance and their poles, half Open CASCADE's
-writing. What limits the peer: splines fitted and sewn.
+All times are CPU seconds, medians. What limits us: a tenth is the pair itself, about two thirds are splines and
+their edges and faces, the rest is Open CASCADE's writing. What limits the peer: splines fitted and sewn.
 
     python benchmarks/cad_exchange.py [PYTHON]
 
