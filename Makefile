@@ -7,6 +7,7 @@
 #   make test-browser    test it in Chromium (CHROMIUM=/path/to/it)
 #   make check   lint, format check, types, import layers
 #   make bench   compare speed with other tools
+#   make interop hold files to CadQuery, build123d (each in an environment of its own), trimesh, lib3mf and admesh
 
 PYTHON ?= python3
 VENV := .venv
@@ -19,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 FUZZ_SECONDS ?= 60
 CHROMIUM ?= chromium
 
-.PHONY: demo test fuzz web test-browser check bench clean
+.PHONY: demo test fuzz web test-browser check bench interop clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)
@@ -50,8 +51,15 @@ check: $(INSTALLED)
 bench: $(BENCH_INSTALLED)
 	@for benchmark in benchmarks/*.py; do echo "== $$benchmark"; $(BENCH_VENV)/bin/python "$$benchmark" || exit 1; done
 
+interop: $(INSTALLED) .venv-cadquery/installed .venv-build123d/installed
+	@command -v admesh >/dev/null || { \
+	  echo "make: admesh was not found; on Debian and Ubuntu: apt-get install admesh" >&2; exit 1; }
+	$(BIN)/python -m pytest interop/test_meshes.py
+	.venv-cadquery/bin/python -m pytest interop/test_cadquery.py
+	.venv-build123d/bin/python -m pytest interop/test_build123d.py
+
 clean:
-	rm -rf $(VENV) $(BENCH_VENV) out
+	rm -rf $(VENV) $(BENCH_VENV) .venv-cadquery .venv-build123d out
 
 # The stamp is as new as pyproject.toml, so that a second run installs nothing.
 $(INSTALLED): pyproject.toml | $(BIN)/python
@@ -61,6 +69,12 @@ $(INSTALLED): pyproject.toml | $(BIN)/python
 $(BENCH_INSTALLED): pyproject.toml | $(BIN)/python
 	@$(BIN)/python -m venv $(BENCH_VENV)
 	$(BENCH_VENV)/bin/python -m pip install --quiet --editable '.[bench]'
+	@touch $@
+
+# CadQuery and build123d bring different versions of Open CASCADE.
+.venv-cadquery/installed .venv-build123d/installed: .venv-%/installed: pyproject.toml | $(BIN)/python
+	@$(BIN)/python -m venv .venv-$*
+	.venv-$*/bin/python -m pip install --quiet --editable . $* 'pytest>=8' 'pytest-xdist>=3.6'
 	@touch $@
 
 $(BIN)/python:
