@@ -13,7 +13,7 @@ from ..curves.curve import in_panels
 from .boundary import Boundary
 from .faces import Cap, Patch
 from .flat import segments_for
-from .outlines import winding
+from .outlines import windings
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -146,16 +146,12 @@ def _nearer(one: Array, other: Array) -> Array:
 def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
     """Signed distance (n,) of points (n, 3) from a patch, their feet searched from fractions (n, 2)."""
     at = np.clip(start, _ASIDE, 1.0 - _ASIDE)
+    moving = np.arange(len(points))
     for _ in range(_STEPS):
-        du, dv = patch.partials(*at.T)
-        off = points - patch.point(*at.T)
-        uu, uv, vv = (np.sum(a * b, axis=1) for a, b in ((du, du), (du, dv), (dv, dv)))
-        u, v = np.sum(off * du, axis=1), np.sum(off * dv, axis=1)
-        determinant = uu * vv - uv * uv
-        determinant = np.where(determinant > 1e-14 * uu * vv, determinant, np.inf)
-        step = np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
-        before, at = at, np.clip(at + step, 0.0, 1.0)
-        if np.max(np.abs(at - before), initial=0.0) < _STILL:
+        before = at[moving]
+        at[moving] = np.clip(before + _step(patch, points[moving], before), 0.0, 1.0)
+        moving = moving[np.max(np.abs(at[moving] - before), axis=1) >= _STILL]
+        if not len(moving):
             break
     off = points - patch.point(*at.T)
     distance = np.linalg.norm(off, axis=1)
@@ -166,25 +162,34 @@ def _from_patch(patch: Patch, points: Array, start: Array) -> Array:
     return np.where(square & (along < 0.0), -distance, distance)
 
 
+def _step(patch: Patch, points: Array, at: Array) -> Array:
+    """The Gauss–Newton step (n, 2) of fractions (n, 2) towards the feet of points (n, 3)."""
+    du, dv = patch.partials(*at.T)
+    off = points - patch.point(*at.T)
+    uu, uv, vv = (np.sum(a * b, axis=1) for a, b in ((du, du), (du, dv), (dv, dv)))
+    u, v = np.sum(off * du, axis=1), np.sum(off * dv, axis=1)
+    determinant = uu * vv - uv * uv
+    determinant = np.where(determinant > 1e-14 * uu * vv, determinant, np.inf)
+    return np.stack([vv * u - uv * v, uu * v - uv * u], axis=1) / determinant[:, None]
+
+
 def _from_cap(cap: Cap, points: Array, sag: float) -> Array:
     """Signed distance (n,) of points (n, 3) from a cap; infinite where they do not lie over it."""
     polygons = [cap.surface.chart(loop.around(segments_for(sag))) for loop in cap.loops]
     result = np.full(len(points), np.inf)
-    low, high = (f([f(p, axis=0) for p in polygons], axis=0) for f in (np.min, np.max))
-    charts = cap.surface.chart(points)
-    over = np.all((charts >= low) & (charts <= high), axis=1)
-    for i in np.flatnonzero(over):
-        turns = sum(winding(charts[i], polygon) for polygon in polygons)
-        if turns:
-            foot = cap.surface.point(charts[i])
-            off = points[i] - foot
-            normal = turns * _normal(cap, charts[i])
-            result[i] = np.linalg.norm(off) * (1.0 if off @ normal >= 0.0 else -1.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        charts = cap.surface.chart(points)  # not finite where the surface has no foot, as on a cone's axis
+    chosen = np.flatnonzero(np.all(np.isfinite(charts), axis=1))
+    turns = windings(charts[chosen], polygons)
+    chosen, turns = chosen[turns != 0], turns[turns != 0]
+    off = points[chosen] - cap.surface.point(charts[chosen])
+    along = turns * np.sum(off * _normals(cap, charts[chosen]), axis=1)
+    result[chosen] = np.linalg.norm(off, axis=1) * np.where(along >= 0.0, 1.0, -1.0)
     return result
 
 
-def _normal(cap: Cap, chart: Array) -> Array:
-    """A vector (3,) along the surface's own normal at a point of the chart."""
-    h = 1e-4 * (1.0 + float(np.max(np.abs(chart))))
-    a, b = (cap.surface.point(chart + step) - cap.surface.point(chart - step) for step in h * np.eye(2))
+def _normals(cap: Cap, charts: Array) -> Array:
+    """Vectors (n, 3) along the surface's own normal at points (n, 2) of the chart."""
+    h = 1e-4 * (1.0 + np.max(np.abs(charts), axis=1, initial=0.0))[:, None]
+    a, b = (cap.surface.point(charts + h * step) - cap.surface.point(charts - h * step) for step in np.eye(2))
     return np.cross(a, b)
