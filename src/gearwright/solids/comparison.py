@@ -152,7 +152,7 @@ class Comparison:
                 f" {self.within * self.area / self.exact_volume:.3g}"
             )
         if found and self.shift is not None:
-            words = self.shift.words(unit, self.size)
+            words = self.shift.words(unit, self.size, self.within)
             if self.shift.mirrored:
                 found.insert(0, f"it is the mirror image of the design, as of the other hand: {words}")
             else:

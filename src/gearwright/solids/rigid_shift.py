@@ -15,11 +15,13 @@ from ..curves.curve import turn
 from ..rotations import quaternion_of
 
 _SAMPLES = 300  # points of the body
+_FITTED = 80  # of these, for least squares
+_SAG = 1e-4  # of the diagonal: chords of the borders of end faces, enough to place a body
+_NEARLY = 30.0  # times the limit: surfaces no farther apart are tried where they are alone
 _SYMMETRIC = 1e-2  # of the largest: principal moments so near each other leave their axes to the teeth
 _ANGLES = 8  # tried a tooth, or an eighth of a turn
 _MOST_ANGLES = 1500
-_REFINED = 3  # of all places tried, the best
-_STILL = 1e-7  # of the body's diagonal, and radians: less is not told
+_REFINED = 2  # of all places tried, the best
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,18 +47,26 @@ class RigidShift:
     def to_dict(self) -> dict[str, Any]:
         return {"rotation": self.rotation, "shift": self.shift, "mirrored": self.mirrored}
 
-    def words(self, length_unit: str, size: float) -> str:
-        """What was done to the solid: "turned by 12° about (0, 0, 1) and moved by (1, 0, 0) mm"."""
+    def words(self, length_unit: str, size: float, within: float) -> str:
+        """What was done to the solid of a size: "turned by 12° about (0, 0, 1), then moved by (1, 0, 0) mm".
+
+        As exactly as surfaces tell that may be off by so much (length).
+        """
         w, *axis = quaternion_of(-self.rotation if self.mirrored else self.rotation)
         sine = float(np.linalg.norm(axis))
         angle = 2.0 * float(np.arctan2(sine, w))
         said = ["mirrored in the origin"] if self.mirrored else []
-        if angle > _STILL:
-            said.append(f"turned by {np.degrees(angle):.6g}° about {in_brackets(np.array(axis) / sine)}")
-        if np.linalg.norm(self.shift) > _STILL * size:
-            said.append(f"moved by {in_brackets(np.where(np.abs(self.shift) < 1e-9 * size, 0.0, self.shift))}")
-            said[-1] += f" {length_unit}"
-        return ", then ".join(said) or "where it should be"
+        if angle * size > 2.0 * within:
+            about = in_brackets(_told(np.array(axis) / sine, within / (size * angle)))
+            said.append(f"turned by {float(_told(np.degrees(angle), np.degrees(within / size))):.6g}° about {about}")
+        if np.linalg.norm(self.shift) > within:
+            said.append(f"moved by {in_brackets(_told(self.shift, within))} {length_unit}".rstrip())
+        return ", then ".join(said) or "hardly moved"
+
+
+def _told(values: Array, within: float) -> Array:
+    """Values without the digits that something so much off does not tell."""
+    return np.round(values, max(0, int(np.ceil(-np.log10(within)))))
 
 
 def in_brackets(values: Sequence[float] | Array) -> str:
@@ -90,15 +100,19 @@ def rigid_shift(points: Array, body: Lie, skin: Skin, solid: Lie, *, within: flo
         return None
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
     size = float(np.linalg.norm(np.ptp(skin.points, axis=0)))
-    for mirrored in (False, True):
+    distance = _signed(skin, size)
+    near = float(np.max(np.abs(distance(some)))) < _NEARLY * within
+    for mirrored in (False,) if near else (False, True):
+        rotations = [np.eye(3)] if near else _rotations(body.second, solid.second, skin, mirrored)
         tried = [
             (float(np.mean(skin.sampled_distance(_back(some, rotation, shift)) ** 2)), rotation, shift)
-            for rotation in _rotations(body.second, solid.second, skin, mirrored)
+            for rotation in rotations
             for shift in [body.centroid - rotation @ solid.centroid]
         ]
         for _, rotation, shift in sorted(tried, key=lambda one: one[0])[:_REFINED]:
-            distance = _signed(skin, size)
-            refined = _refined(distance, some, rotation, shift, size)
+            if np.max(np.abs(distance(_back(some, rotation, shift)))) <= within:
+                return RigidShift(rotation=rotation, shift=shift)
+            refined = _refined(distance, some[:: 1 + len(some) // _FITTED], rotation, shift, size)
             if np.max(np.abs(distance(_back(some, refined.rotation, refined.shift)))) <= within:
                 return refined
     return None
@@ -109,7 +123,7 @@ def _back(points: Array, rotation: Array, shift: Array) -> Array:
 
 
 def _signed(skin: Skin, size: float) -> Callable[[Array], Array]:
-    return lambda points: skin.signed_distance(points, 1e-5 * size)
+    return lambda points: skin.signed_distance(points, _SAG * size)
 
 
 def _rotations(body: Array, solid: Array, skin: Skin, mirrored: bool) -> Iterator[Array]:

@@ -138,7 +138,7 @@ def compare(body: str | Path | Model | Polyhedron, design: Element | Pair, *, wi
         parts.append(_compared(name, given, place, within))
     others += [problem for part in parts for problem in _wrong_unit(part, model.length_unit, design.length_unit)]
     missing = {place.member for place in places} - {place.member for place in chosen if place}
-    remarks += [f"only the other member was found; the file has no {member}" for member in sorted(missing)]
+    remarks += [f"the file has no {member}; only its mate was compared" for member in sorted(missing)]
     return Agreement(parts=tuple(parts), others=tuple(others), remarks=tuple(remarks), length_unit=design.length_unit)
 
 
@@ -241,5 +241,5 @@ def _wrong_unit(part: PartAgreement, taken: str | None, unit: str) -> Iterator[s
         if other != used and abs(ratio - 1.0) < _SAME_VOLUME:
             yield (
                 f"the unit looks wrong: the volume is {found.volume / found.exact_volume:.6g} times the design's, and"
-                f" would be the design's if the file's lengths were in {other}, not {used}"
+                f' would be the design\'s if its lengths were in "{other}", not "{used}"'
             )
