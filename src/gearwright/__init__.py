@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from .solids.properties import MassProperties
     from .solids.streamed import stream_properties
     from .solids.sweeps import extrude, revolve, sweep, sweep_along
+    from .studies.agreement import compare
 
 __all__ = [
     "MATERIALS",
@@ -65,6 +66,7 @@ __all__ = [
     "Sweep",
     "__version__",
     "approximation_error",
+    "compare",
     "contact_lines",
     "contact_ratios",
     "density",
@@ -109,6 +111,7 @@ _MODULES = {
     ".solids.properties": ("MassProperties",),
     ".solids.streamed": ("stream_properties",),
     ".solids.sweeps": ("extrude", "revolve", "sweep", "sweep_along"),
+    ".studies.agreement": ("compare",),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

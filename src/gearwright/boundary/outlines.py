@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Indices
 
 _BLOCK = 1 << 20  # pairs compared at once
 
@@ -22,6 +24,24 @@ def winding(point: Array, polygon: Array) -> int:
     """Turns of a closed polygon (n, 2) about a point (2,), counter-clockwise positive; on the polygon, either."""
     z = (polygon - point) @ np.array([1.0, 1.0j])
     return round(float(np.sum(np.angle(np.roll(z, -1) * z.conj())) / (2.0 * np.pi)))
+
+
+def windings(points: Array, polygons: Sequence[Array]) -> Indices:
+    """Turns (n,) about points (n, 2) of closed polygons (k, 2) that do not cross themselves, all together."""
+    import shapely
+
+    found = np.zeros(len(points), np.int64)
+    for polygon in polygons:
+        ring = shapely.Polygon(polygon)
+        shapely.prepare(ring)
+        found += np.where(shapely.contains_xy(ring, points[:, 0], points[:, 1]), int(np.sign(_area(polygon))), 0)
+    return found
+
+
+def _area(polygon: Array) -> float:
+    """Twice the area of a closed polygon (n, 2), counter-clockwise positive."""
+    following = np.roll(polygon, -1, axis=0)
+    return float(np.sum(polygon[:, 0] * following[:, 1] - following[:, 0] * polygon[:, 1]))
 
 
 def _least(points: Array, polygon: Array) -> tuple[float, Array]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
 from cyclopts import Parameter as Option
 
 from .. import catalog
-from ..errors import ProblemsError
+from ..errors import Problem, ProblemsError
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
 from .design import read_design
@@ -32,11 +34,20 @@ def build(
     return deliver(kind, element, outputs, str)
 
 
+def design_in(design: Path) -> Any:
+    """The element that a design file describes. Raises GearwrightError."""
+    return _element(design, lambda _: [])[1]
+
+
 def designed(design: Path, outputs: Outputs) -> tuple[catalog.Element, Any]:
     """The kind of element in a design file, and the element. Raises GearwrightError, for these outputs, too."""
+    return _element(design, partial(output_problems, outputs))
+
+
+def _element(design: Path, more: Callable[[catalog.Element], list[Problem]]) -> tuple[catalog.Element, Any]:
     found = read_design(design)
     element, problems = element_of(found.kind, found.kinds, found.values, str)
-    problems = problems + output_problems(outputs, found.kind)
+    problems = problems + more(found.kind)
     if problems:
         raise ProblemsError(
             f"{design}: {article(found.kind.name)} {said(found.kind, found.kinds, str)} cannot be built so", problems

@@ -9,7 +9,7 @@ import numpy as np
 from ..arrays import Array, Indices
 from ..compiled import compiled
 
-_LEAF = 4
+LEAF = 4
 """Boxes a leaf holds."""
 
 _BLOCK = 256
@@ -20,11 +20,19 @@ def overlapping_pairs(boxes: Array) -> Iterator[Indices]:
     """Pairs (k, 2) of boxes (n, 2, 3), lowest and highest coordinates, that share a point; each once, in blocks."""
     if not len(boxes):
         return
-    order = np.argsort(_curve_places(boxes.mean(axis=1)), kind="stable")
-    ordered = np.ascontiguousarray(boxes[order].reshape(-1, 6))
-    nodes = _tree(ordered)
+    order, ordered, nodes = box_tree(boxes)
     for start in range(0, len(boxes), _BLOCK):
         yield order[_pairs(ordered, nodes, start, min(start + _BLOCK, len(boxes)))]
+
+
+def box_tree(boxes: Array) -> tuple[Indices, Array, Array]:
+    """Order (n,) of boxes (n, 2, 3) along the curve, the boxes so (n, 6), and the boxes (2 m, 6) of the nodes.
+
+    Leaf k of the last m nodes holds the boxes from LEAF (k − m) on, LEAF of them.
+    """
+    order = np.argsort(_curve_places(boxes.mean(axis=1)), kind="stable")
+    ordered = np.ascontiguousarray(boxes[order].reshape(-1, 6))
+    return order, ordered, _tree(ordered)
 
 
 def _curve_places(points: Array) -> Indices:
@@ -41,12 +49,12 @@ def _curve_places(points: Array) -> Indices:
 
 def _tree(boxes: Array) -> Array:
     """Boxes (2 m, 6) of a full binary tree's nodes: children of k are 2 k and 2 k + 1, leaves the last m."""
-    leaves = 1 << max(0, int(np.ceil(np.log2(len(boxes) / _LEAF))))
-    padded = np.empty((leaves * _LEAF, 6))
+    leaves = 1 << max(0, int(np.ceil(np.log2(len(boxes) / LEAF))))
+    padded = np.empty((leaves * LEAF, 6))
     padded[:, :3], padded[:, 3:] = np.inf, -np.inf
     padded[: len(boxes)] = boxes
     nodes = np.empty((2 * leaves, 6))
-    level = padded.reshape(leaves, _LEAF, 6)
+    level = padded.reshape(leaves, LEAF, 6)
     while True:
         count = len(level)
         nodes[count : 2 * count, :3] = level[..., :3].min(axis=1)
@@ -74,12 +82,12 @@ def _pairs(boxes: Array, nodes: Array, start: int, stop: int) -> Indices:
             if node < leaves:
                 # what lies wholly before box i has met it already
                 for child in (2 * node, 2 * node + 1):
-                    if _last_leaf(child, leaves) >= i // _LEAF:
+                    if _last_leaf(child, leaves) >= i // LEAF:
                         waiting[depth] = child
                         depth += 1
                 continue
-            first = (node - leaves) * _LEAF
-            for j in range(max(first, i + 1), min(first + _LEAF, len(boxes))):
+            first = (node - leaves) * LEAF
+            for j in range(max(first, i + 1), min(first + LEAF, len(boxes))):
                 if _overlap(boxes, i, boxes, j):
                     if count == len(found):
                         found = np.concatenate((found, np.empty_like(found)))

@@ -46,11 +46,12 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
         remarks.append(f"{source} has y up; turned, so that z is up")
     if len(model.bodies) > 1 and not wanted.bodies:
         remarks.append(f"its {len(model.bodies)} bodies are one in {target}: {wanted.name} has no names for them")
-    _with_z_up(model, given).save(target, length_unit=unit)
+    with_z_up(model, given).save(target, length_unit=unit)
     return tuple(remarks)
 
 
-def _with_z_up(model: Model, given: FileFormat) -> Model:
+def with_z_up(model: Model, given: FileFormat) -> Model:
+    """The bodies of a file of some format, turned so that z is up."""
     if given.up == "z":
         return model
     return replace(model, bodies={name: body.transformed(_UPRIGHT) for name, body in model.bodies.items()}, smooth={})
