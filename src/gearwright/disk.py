@@ -106,7 +106,7 @@ def written_together(folder: str | Path) -> Iterator[Path]:
     taken back. Raises FileError if there is no such folder or a name is not a file's; MachineError if the disk or the
     permissions do not allow it. Errors of these kinds in the block name the file that was to be.
     """
-    home = Path(folder)
+    home = Path(os.path.realpath(folder))
     staged = home / f".{secrets.token_hex(8)}.part"
     try:
         staged.mkdir()
@@ -146,7 +146,7 @@ def _exchange(new: Path, old: Path, home: Path) -> None:
             raise FileError(f"{place.parent}: cannot be a folder, a file stands in its way; move it away")
     with ExitStack() as undo:
         for name in names:
-            place, kept = Path(os.path.realpath(home / name)), old / name
+            place, kept = home / name, old / name
             for path in (place, kept):
                 if not path.parent.exists():
                     path.parent.mkdir()

@@ -9,7 +9,7 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from ..errors import FileError, Problem, ProblemsError
-from ..files.formats import FILE_FORMATS, format_of
+from ..files.formats import FILE_FORMATS
 from ..parameters import LENGTH_UNITS, did_you_mean
 from .build import designed
 from .built import built_from
@@ -112,11 +112,11 @@ def _require(target: Path, suffixes: list[str] | tuple[str, ...], known: str) ->
     suffix = target.suffix.lower()
     if suffix in suffixes:
         return
-    if (
-        suffix in {one for form in FILE_FORMATS for one in form.suffixes}
-        and format_of(target, "read").holds != "polygons"
-    ):
+    holds = next((form.holds for form in FILE_FORMATS if suffix in form.suffixes), "polygons")
+    if holds == "smooth faces":
         why = "polygons are no smooth faces"
+    elif holds == "mechanism":
+        why = "it knows nothing of masses and joints; such files are written from a design, with a --material"
     elif suffix in _PICTURES:
         why = "pictures are drawn by --picture of the commands that build"
     else:

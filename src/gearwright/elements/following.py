@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..errors import ParameterError, Problem
 from ..files.robots.mechanism import Joint, JointKind, Mechanism
 from ..parameters import LENGTH_UNITS
 from ..solids.robots import mechanism_of
@@ -48,6 +49,12 @@ def _joints(parts: Sequence[PlacedPart], following: Following, length_unit: str,
     metres = LENGTH_UNITS[length_unit] / 1e3 if following.kind == "prismatic" else 1.0
     leader = Joint(name=f"{pinion}_joint", link=pinion, kind="continuous", axis=np.array([0.0, 0.0, 1.0]))
     least, most = ((end - following.ratio * turn) * metres for end in following.range or (-np.inf, np.inf))
+    if not least <= 0.0 <= most:
+        reach = [np.degrees(end / following.ratio) for end in following.range or ()]
+        wanted = (
+            f"the {gear} meshes from {min(reach):.6g} to {max(reach):.6g} degrees; the joints must start in between"
+        )
+        raise ParameterError("This mechanism", [Problem(f"turn = {np.degrees(turn):.6g}", wanted)])
     follower = Joint(
         name=f"{gear}_joint",
         link=gear,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arrays import Array
-from ..errors import GeometryError, Problem
+from ..errors import GeometryError, ParameterError, Problem
 from ..files.assembly import Assembly
 from ..files.robots.mechanism import Mechanism
 from ..parameters import Size, spelled
@@ -73,7 +73,12 @@ class Pair(ABC):
         return []
 
     def parts(self, tolerance: float | None = None, turn: float = 0.0) -> list[PlacedPart]:
-        """Both members where they mesh, to be written or drawn within a tolerance (length)."""
+        """Both members where they mesh, to be written or drawn within a tolerance (length).
+
+        turn   of the pinion (degrees). Raises ParameterError where that is no angle.
+        """
+        if not np.isfinite(turn):
+            raise ParameterError("This pair", [Problem(f"turn = {turn}", "a finite angle in degrees is needed")])
         members = {"pinion": self.pinion, "gear": self.gear}
         return [
             PlacedPart(

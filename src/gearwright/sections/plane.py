@@ -122,7 +122,7 @@ class Section(LoopedSection):
     def save(self, path: str | Path, *, length_unit: str = "mm", tolerance: float | None = None) -> None:
         """Writes the section as a DXF or SVG drawing, as the suffix says, for `load` and other programs.
 
-        length_unit   of the coordinates, "mm" or "in", which the file states
+        length_unit   of the coordinates; the file states mm or inches, to which others are converted
         tolerance     largest distance (a length) of splines from involutes and other curves that drawings do not
                       hold; default 1e-7 × the section's size. Lines, arcs, ellipses and splines are written as they are
 

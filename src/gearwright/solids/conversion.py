@@ -27,6 +27,11 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
     triangles and a face cannot be cut into such.
     """
     wanted = format_of(target, "written")
+    if wanted.holds == "mechanism":
+        raise FileError(
+            f"{target}: {wanted.name} holds masses on joints, of which {source} knows nothing; write it from a design or"
+            " by the command that builds the part, with a --material"
+        )
     if wanted.holds != "polygons":
         others = ", ".join(s for one in FILE_FORMATS if one.writer and one.holds == "polygons" for s in one.suffixes)
         raise FileError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +15,7 @@ from ... import __version__, disk
 from ...errors import FileError, MachineError
 from ...placement import Placement
 from ..assembly import Assembly, Part, Smooth
+from ..text.written import one_line
 from .brep.edges import transform
 from .brep.shape import shape
 from .kernel import kernel
@@ -77,7 +79,7 @@ def _name(label: Any, name: str) -> None:
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
 
-    TDataStd_Name.Set_s(label, TCollection_ExtendedString(name, True))
+    TDataStd_Name.Set_s(label, TCollection_ExtendedString(one_line(name), True))
 
 
 def _paint(colours: Any, label: Any, part: Part[Smooth]) -> None:
@@ -102,7 +104,18 @@ def _written(document: Any, assembly: Assembly[Smooth], schema: str, unit: str, 
         _head(writer, assembly)
         if not done or writer.WriteStream(stream) != IFSelect_RetDone:
             raise MachineError(f"{path}: Open CASCADE does not write this solid; a coarser tolerance may do")
-    return stream.getvalue()
+    return _in_ascii(stream.getvalue())
+
+
+def _in_ascii(data: bytes) -> bytes:
+    """With letters beyond ASCII as ISO 10303-21 has them, \\X2\\…\\X0\\ in UTF-16; the kernel leaves them."""
+    if data.isascii():
+        return data
+
+    def spelled(found: re.Match[str]) -> str:
+        return "\\X2\\" + found[0].encode("utf-16-be").hex().upper() + "\\X0\\"
+
+    return re.sub(r"[^\x00-\x7f]+", spelled, data.decode(errors="replace")).encode()
 
 
 @contextmanager
@@ -129,7 +142,7 @@ def _head(writer: Any, assembly: Assembly[Smooth]) -> None:
     within = max(part.shape.tolerance for part in assembly.parts)
     head = APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
     for put, text in (
-        (head.SetName, assembly.name),
+        (head.SetName, one_line(assembly.name)),
         (head.SetOriginatingSystem, f"Gearwright {__version__}"),
         (head.SetPreprocessorVersion, "Open CASCADE"),
     ):

@@ -11,7 +11,7 @@ import numpy as np
 from ... import disk
 from ...arrays import Array
 from ...errors import FileError, GeometryError, Problem
-from ...parameters import MILLIMETRES
+from ...parameters import LENGTH_UNITS, MILLIMETRES
 from . import dxf_writing, svg_writing
 from .contours import Contour, Profile, contours
 from .strokes import Hand
@@ -39,7 +39,7 @@ def write(
 ) -> None:
     """Writes profiles, each on its own layer, into a DXF or SVG file, as the suffix says.
 
-    length_unit   of all coordinates, "mm" or "in", which the file states
+    length_unit   of all coordinates; the file states mm or inches, to which others are converted
     tolerance     largest distance (a length) of splines from curves that are no lines, arcs, ellipses or splines
                   themselves; default 1e-7 × the size of the section
 
@@ -56,16 +56,23 @@ def write(
         profile.section.require_simple()
         within = TOLERANCE * profile.section.size if tolerance is None else tolerance
         layers.setdefault(profile.layer, []).extend(contours(profile, within, hand))
+    stated = {"ft": "in"}.get(length_unit, length_unit if length_unit in MILLIMETRES else "mm")
+    if stated != length_unit:
+        factor = LENGTH_UNITS[length_unit] / LENGTH_UNITS[stated]
+        layers = {
+            layer: [tuple(one.scaled(factor) for one in contour) for contour in drawn]
+            for layer, drawn in layers.items()
+        }
     points = np.concatenate([one.samples() for drawn in layers.values() for contour in drawn for one in contour])
-    data = encoded(f"{path}", layers, np.array([points.min(axis=0), points.max(axis=0)]), length_unit)
+    data = encoded(f"{path}", layers, np.array([points.min(axis=0), points.max(axis=0)]), stated)
     with disk.written_whole(path) as stream:
         stream.write(data)
 
 
 def _require(profiles: Sequence[Profile], length_unit: str, tolerance: float | None) -> None:
     problems = [] if profiles else [Problem("0 profiles", "at least one is needed")]
-    if length_unit not in MILLIMETRES:
-        problems.append(Problem(f"length_unit = {length_unit!r}", f"choose {' or '.join(MILLIMETRES)}"))
+    if length_unit not in LENGTH_UNITS:
+        problems.append(Problem(f"length_unit = {length_unit!r}", f"choose one of {', '.join(LENGTH_UNITS)}"))
     sizes = [profile.section.size for profile in profiles] if tolerance is not None else []
     least, most = FINEST * max(sizes, default=0.0), COARSEST * min(sizes, default=math.inf)
     if sizes and not least <= float(tolerance or 0.0) <= most:
