@@ -145,7 +145,7 @@ def test_drawings_are_converted_with_their_unit(run, tmp_path):
     [
         ("two.obj", "out.igs", ("ends in .igs", ".stl, .3mf")),
         ("two.obj", "out", ("no suffix", ".stl, .3mf")),
-        ("two.obj", "out.step", ("polygons are no smooth faces", ".stl, .3mf")),
+        ("two.obj", "out.step", ("it holds smooth faces, and bodies are read as polygons", ".stl, .3mf")),
         ("two.obj", "out.png", ("pictures are drawn by --picture", ".stl, .3mf")),
         ("two.obj", "out.dxf", ("ends in .dxf", ".stl, .3mf")),
         ("two.igs", "out.stl", ("ends in .igs cannot be read", "drawings as .dxf", "designs as .toml")),

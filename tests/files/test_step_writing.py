@@ -224,7 +224,7 @@ def test_what_is_no_step_is_refused(tmp_path):
     for arguments, said in (
         ({"path": "a.stl", "step_schema": "AP242"}, "a schema of STEP files"),
         ({"path": "a.step", "step_schema": "AP203"}, "choose AP214 or AP242"),
-        ({"path": "a.step", "length_unit": "furlong"}, "are not written to STEP files"),
+        ({"path": "a.step", "length_unit": "furlong"}, "choose one of um, mm"),
         ({"path": "a.step", "length_unit": None}, "give a length_unit"),
         ({"path": "nowhere/a.step"}, "there is no folder"),
     ):

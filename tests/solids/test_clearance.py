@@ -180,3 +180,14 @@ def test_save_takes_a_clearance(tmp_path):
     pair.save(tmp_path / "pair.ply", 0.05, clearance=0.2)
     both = Polyhedron.load(tmp_path / "pair.ply").bodies()
     assert cKDTree(both[0].vertices).query(both[1].vertices)[0].min() > 0.19
+
+
+def test_walls_that_pass_through_each_other_whole_are_refused(tmp_path):
+    # no faces intersect any more then: the void is outside
+    outline = [(35, -5), (45, -5), (45, 5), (35, 5)]
+    hole = [(35.5, -4.5), (44.5, -4.5), (44.5, 4.5), (35.5, 4.5)]
+    ring = gw.revolve(gw.Section.polygon(outline, holes=[hole]))
+    ring.save(tmp_path / "ring.stl", 0.05, clearance=0.4)
+    with pytest.raises(GeometryError, match=r"walls vanish.*it must be less than 0\.4\d"):
+        ring.save(tmp_path / "ring.stl", 0.05, clearance=1.1)
+    assert gw.Polyhedron.load(tmp_path / "ring.stl").validity().valid

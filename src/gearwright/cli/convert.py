@@ -94,7 +94,11 @@ def _from_design(source: Path, target: Path, length_unit: str | None) -> None:
     if length_unit is not None:
         problem = Problem(f"--length-unit {length_unit}", "a design states its own; set length_unit in it")
         raise ProblemsError(f"{source}: this cannot be converted", [problem])
-    known = [*written_suffixes(), *DRAWN]
+    known = [*written_suffixes("polygons"), *written_suffixes("smooth faces"), *DRAWN]
+    if target.suffix.lower() in written_suffixes("mechanism"):
+        raise FileError(
+            f"{target}: such files hold masses; gearwright build {source} -o {target} --material NAME writes them"
+        )
     _require(target, known, f"{source} is a design, of which are made bodies and drawings: {', '.join(known)}")
     drawn = target.suffix.lower() in DRAWN
     outputs = Outputs(drawing=target) if drawn else Outputs(output=target)
@@ -112,9 +116,11 @@ def _require(target: Path, suffixes: list[str] | tuple[str, ...], known: str) ->
     suffix = target.suffix.lower()
     if suffix in suffixes:
         return
+    if target.is_dir():
+        raise FileError(f"{target}: this is a folder; name a file in it, with a suffix; {known}")
     holds = next((form.holds for form in FILE_FORMATS if suffix in form.suffixes), "polygons")
     if holds == "smooth faces":
-        why = "polygons are no smooth faces"
+        why = "it holds smooth faces, and bodies are read as polygons, those of STEP files, too"
     elif holds == "mechanism":
         why = "it knows nothing of masses and joints; such files are written from a design, with a --material"
     elif suffix in _PICTURES:

@@ -163,7 +163,7 @@ def _format_problems(outputs: Outputs) -> list[Problem]:
         problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds others; {_PLAY}"))
     if outputs.step_schema is not None:
         given = f"--step-schema {outputs.step_schema}"
-        if outputs.step_schema not in _SCHEMAS:
+        if outputs.step_schema.upper() not in _SCHEMAS:
             problems.append(Problem(given, f"choose {' or '.join(_SCHEMAS)}"))
         if suffix not in written_suffixes("smooth faces"):
             problems.append(Problem(given, "applies to STEP files; none is asked for (-o FILE.step)"))

@@ -10,6 +10,7 @@ from ..errors import ParameterError, Problem
 from ..materials import density as density_of
 from ..materials import material as material_of
 from ..sheets import Content, Row, Sheet, TitleBlock, sheet
+from ..sheets.lettering import strange
 from ..sheets.numbers import decimal
 
 if TYPE_CHECKING:
@@ -40,6 +41,25 @@ class SheetLabels:
     date: str | None = None
     notes: Sequence[str] = ()
 
+    def require_letters(self) -> None:
+        """Raises ParameterError, all problems together, for texts that are none or that the sheet's font lacks."""
+        texts: dict[str, object] = {
+            "name": self.name,
+            "date": self.date,
+            **{f"notes[{i}]": text for i, text in enumerate(self.notes)},
+        }
+        problems = []
+        for label, text in texts.items():
+            if text is not None and not isinstance(text, str):
+                problems.append(Problem(f"{label} = {text!r}", "a text is needed"))
+            elif isinstance(text, str) and (found := strange(text)):
+                wanted = (
+                    f"the sheet's font, DejaVu Sans, has no {found!r}; take other letters, and a note for each line"
+                )
+                problems.append(Problem(f"{label} = {text!r}", wanted))
+        if problems:
+            raise ParameterError("The sheet", problems)
+
     def kilograms(self, length_unit: str) -> float | None:
         """Mass of a cubed length unit; None where nothing is known. Raises ParameterError."""
         if self.material is not None and self.density is not None:
@@ -55,6 +75,7 @@ def element_sheet(
     """The sheet of one part. more   rows of the data table: what is to be said of its mate"""
     from .. import __version__
 
+    labels.require_letters()
     unit, each = element.length_unit, labels.kilograms(element.length_unit)
     volume = element.properties().volume
     cubed = Row(name="Volume", symbol="V", value=f"{decimal(volume, 2 if unit == 'mm' else 4)} {unit}³")

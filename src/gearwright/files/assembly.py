@@ -10,6 +10,8 @@ import numpy as np
 from ..arrays import Array, Indices
 from ..boundary.boundary import Boundary
 from ..colours import Colour
+from ..errors import FileError
+from ..parameters import LENGTH_UNITS
 
 Shape_co = TypeVar("Shape_co", covariant=True)
 
@@ -52,11 +54,18 @@ class Part(Generic[Shape_co]):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Assembly(Generic[Shape_co]):
-    """Parts by names of their own, at least one. length_unit   a key of LENGTH_UNITS; None where nobody knows it"""
+    """Parts by names of their own, at least one. length_unit   a key of LENGTH_UNITS; None where nobody knows it
+
+    Raises FileError for a unit that is none.
+    """
 
     name: str
     parts: tuple[Part[Shape_co], ...]
     length_unit: str | None = "mm"
+
+    def __post_init__(self) -> None:
+        if self.length_unit is not None and self.length_unit not in LENGTH_UNITS:
+            raise FileError(f"length_unit = {self.length_unit!r}: choose one of {', '.join(LENGTH_UNITS)}")
 
 
 def placed_vertices(part: Part[Faceted]) -> Array:

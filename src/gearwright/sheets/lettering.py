@@ -37,6 +37,11 @@ def _advance(letter: str) -> float:
     return float(_font().load_char(ord(letter), flags=LoadFlags.NO_HINTING).linearHoriAdvance / 65536.0 / _MEASURED)
 
 
+def strange(text: str) -> str:
+    """The characters of a text that the font of sheets does not have, each once, and line ends and tabs."""
+    return "".join(dict.fromkeys(c for c in text if not c.isprintable() or not _font().get_char_index(ord(c))))
+
+
 def width(text: str, height: float) -> float:
     """Width of a text whose capitals have a height; in the unit of the height."""
     return sum(map(_advance, text)) / CAPITALS * height

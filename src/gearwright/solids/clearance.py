@@ -22,8 +22,8 @@ _ONE_PLANE = 1e-7
 _SWEEPS, _DECAY = 100, 0.995
 """Of the smoothing along the faces: it reaches over some 14 vertices."""
 
-_STEPS = 7
-"""Halvings in the search for the largest clearance, once one was found that is too large."""
+_STEPS, _MOST_HALVINGS = 7, 20
+"""Halvings in the search for the largest clearance: so many once one was found that goes, at most so many in all."""
 
 
 def with_clearance(body: Polyhedron, clearance: float) -> Polyhedron:
@@ -155,8 +155,9 @@ def _spoilt(body: Polyhedron, moved: Polyhedron) -> str:
 
 def _first_spoilt(body: Polyhedron, steps: Array, too_deep: float) -> float:
     """A depth at which nothing is wrong yet, near the largest such."""
-    low, high = 0.0, too_deep
-    for _ in range(_STEPS):
+    low, high, left = 0.0, too_deep, _MOST_HALVINGS
+    while left:
+        left = min(left - 1, _STEPS) if low > 0.0 else left - 1
         middle = (low + high) / 2.0
         low, high = (low, middle) if _spoilt(body, _moved(body, steps, middle)) else (middle, high)
     return low

@@ -29,7 +29,7 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
     wanted = format_of(target, "written")
     if wanted.holds == "mechanism":
         raise FileError(
-            f"{target}: {wanted.name} holds masses on joints, of which {source} knows nothing; write it from a design or"
+            f"{target}: {wanted.name} holds masses on joints, and {source} knows of none; write it from a design or"
             " by the command that builds the part, with a --material"
         )
     if wanted.holds != "polygons":

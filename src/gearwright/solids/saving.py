@@ -79,6 +79,9 @@ def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
     if not 0.0 < tolerance < np.inf:
         wanted = "a finite length greater than 0 is needed"
         raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])
+    if tolerance > (size := rough_diagonal(boundary)):
+        wanted = f"more than the whole body, whose diagonal is {size:.6g}; is it in the right unit?"
+        raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])
     return Smooth(boundary=boundary, tolerance=tolerance)
 
 
@@ -110,7 +113,7 @@ def save_solids(
         return
     if format_of(path, "written").holds == "smooth faces":
         refuse_clearance(path, clearance)
-        write_step(path, smooth_of(solids, name=name, length_unit=length_unit), schema=step_schema or "AP214")
+        write_step(path, smooth_of(solids, name=name, length_unit=length_unit), schema=(step_schema or "AP214").upper())
         return
     save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
 

@@ -538,10 +538,20 @@ class TestRefusals:
     def test_units_and_tolerances_that_cannot_be_are_named_together(self, tmp_path):
         for tolerance in (0.0, -1.0, float("nan"), float("inf"), 1e-12, 10.0):
             with pytest.raises(gw.GeometryError) as error:
-                saved(bored_gear(), tmp_path, ".dxf", length_unit="cm", tolerance=tolerance)
+                saved(bored_gear(), tmp_path, ".dxf", length_unit="ell", tolerance=tolerance)
             subjects = [problem.subject for problem in error.value.problems]
-            assert subjects == ["length_unit = 'cm'", f"tolerance = {tolerance!r}"]
+            assert subjects == ["length_unit = 'ell'", f"tolerance = {tolerance!r}"]
         assert not list(tmp_path.iterdir())
+
+    @every_format
+    @pytest.mark.parametrize(
+        ("unit", "stated", "factor"), [("cm", "mm", 10.0), ("m", "mm", 1000.0), ("ft", "in", 12.0)]
+    )
+    def test_other_units_are_converted(self, tmp_path, suffix, unit, stated, factor):
+        found = drawings.read(saved(stadium(), tmp_path, suffix, length_unit=unit))
+        assert found.length_unit == stated
+        area = gw.Section(loops=found.regions[0]).properties().area
+        assert area == pytest.approx(stadium().properties().area * factor**2, rel=1e-12)
 
     def test_nothing_to_draw_is_refused(self, tmp_path):
         with pytest.raises(gw.GeometryError, match="0 profiles: at least one is needed"):

@@ -9,7 +9,7 @@ from ... import disk
 from ..assembly import Assembly, Faceted, placed_vertices
 from ..noted_unit import unit_note
 from ..polygons import listed
-from ..text.written import one_line, rows
+from ..text.written import distinct_lines, rows
 
 
 def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
@@ -24,8 +24,8 @@ def write(path: str | Path, assembly: Assembly[Faceted]) -> None:
 def _lines(assembly: Assembly[Faceted]) -> Iterator[bytes]:
     yield f"# {unit_note('OBJ', assembly.length_unit)}\n".encode("ascii")
     first = 1
-    for part in assembly.parts:
-        yield f"o {one_line(part.name)}\n".encode()
+    for part, name in zip(assembly.parts, distinct_lines(part.name for part in assembly.parts), strict=True):
+        yield f"o {name}\n".encode()
         yield from rows("v %r %r %r\n", placed_vertices(part))
         yield from listed("f", part.shape, first=first)
         first += len(part.shape.vertices)

@@ -23,7 +23,14 @@ from .kernel import kernel
 SCHEMAS: Mapping[str, str] = {"AP214": "AP214IS", "AP242": "AP242DIS"}
 """Application protocols of ISO 10303 by their numbers, and Open CASCADE's names for them."""
 
-_UNITS = {"mm": ("MM", 1e-3), "cm": ("CM", 1e-2), "m": ("M", 1.0), "in": ("INCH", 0.0254), "ft": ("FT", 0.3048)}
+_UNITS = {
+    "um": ("UM", 1e-6),
+    "mm": ("MM", 1e-3),
+    "cm": ("CM", 1e-2),
+    "m": ("M", 1.0),
+    "in": ("INCH", 0.0254),
+    "ft": ("FT", 0.3048),
+}
 """Open CASCADE's names of length units, and metres."""
 
 
@@ -31,14 +38,12 @@ def write(path: str | Path, assembly: Assembly[Smooth], *, schema: str = "AP214"
     """Writes the parts where they stand as smooth solids, whole or not at all; several as an assembly.
 
     Faces are within the parts' tolerances of their boundaries. The header says them.
-    Raises GeometryError where a tolerance cannot be met; FileError for a unit or a schema that is none of STEP's or a
-    name that is not a file's; MachineError without the extra `step` or if the disk does not take it.
+    Raises GeometryError where a tolerance cannot be met; FileError without a unit, for a schema that is none of STEP's
+    or a name that is not a file's; MachineError without the extra `step` or if the disk does not take it.
     """
     unit = assembly.length_unit
     if unit is None:
         raise FileError(f"{path}: STEP files state a unit of length, and none is known; give a length_unit")
-    if unit not in _UNITS:
-        raise FileError(f"{path}: lengths in {unit} are not written to STEP files, but {', '.join(_UNITS)}")
     if schema not in SCHEMAS:
         raise FileError(f"{path}: {schema} is no schema of STEP files that is written; choose {' or '.join(SCHEMAS)}")
     kernel()

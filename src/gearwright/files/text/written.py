@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...arrays import Array, Indices
 
@@ -24,3 +24,14 @@ def one_line(name: str) -> str:
     """A name without line ends, control characters and backslashes, which join lines; "?" stands for each."""
     visible = "".join(c if c.isprintable() and c != "\\" else " " if c.isspace() else "?" for c in name)
     return " ".join(visible.split())
+
+
+def distinct_lines(names: Iterable[str]) -> list[str]:
+    """Names of one line each, made different by a number where several would be one."""
+    found: dict[str, None] = {}
+    for name in names:
+        line, number = one_line(name), 1
+        while (numbered := line if number == 1 else f"{line} ({number})") in found:
+            number += 1
+        found[numbered] = None
+    return list(found)

@@ -31,9 +31,8 @@ _SHARE = 0.25
 _MOST_SPANS = 4000
 """Spans of a curve beyond which a tolerance is taken for a slip: gigabytes of poles."""
 
-_PATIENCE = 64
-_LEAST_ORDER = 3
-"""Beyond so many spans an error that falls more slowly than with their third power shows a kink that nobody named."""
+_NARROWEST = 1e-9
+"""Of a curve: spans become so short only at a jump that nobody named."""
 
 _STEP, _JUMP = 1e-4, 1e-4
 """Of a curve's fractions, and of its speed: how derivatives at kinks are told."""
@@ -81,11 +80,10 @@ def approximation(boundary: Boundary, tolerance: float) -> Approximation:
     edges = {edge: line for edge in boundary.edges if (line := _elementary(edge)) is not None}
     groups = Groups(boundary)
     samples = _samples(boundary, found, edges, groups)
-    bases = {}
-    for group, own_samples in samples.items():
-        panels = _panels(boundary, groups, group)
-        start = coarsest(panels, _kinks(panels, own_samples))
-        bases[group] = _fine_enough(group, start, own_samples, tolerance)
+    bases = {
+        group: _fine_enough(group, _first(boundary, groups, group, own), own, tolerance)
+        for group, own in samples.items()
+    }
     for patch in (patch for patch, surface in found.items() if surface is None):
         _refine(patch, groups, bases, tolerance)
     own = {edge: bases[groups.of(edge)] for edge in boundary.edges if groups.of(edge) in bases}
@@ -100,10 +98,10 @@ def approximation(boundary: Boundary, tolerance: float) -> Approximation:
 def _refine(patch: Patch, groups: Groups, bases: dict[Edge, Basis], tolerance: float) -> None:
     """Makes the bases fine enough for the product of both."""
     across, up = (groups.of(patch.sides[k].edge) for k in (0, 1))
-    while (error := _product_error(patch, bases[across], bases[up])) > tolerance:
-        if max(bases[across].spans, bases[up].spans) > _MOST_SPANS:
-            raise _impossible(patch.name, tolerance, error)
-        bases[across], bases[up] = bases[across].finer(error / tolerance), bases[up].finer(error / tolerance)
+    while (errors := _product_errors(patch, bases[across], bases[up])).max() > tolerance:
+        for group, axis in ((across, 1), (up, 0)):
+            bases[group] = bases[group].finer(errors.max(axis=axis) > tolerance)
+            _require_possible(bases[group], patch.name, tolerance)
 
 
 def _surface(patch: Patch, found: Found | None, bases: Mapping[Edge, Basis]) -> Surface:
@@ -173,8 +171,8 @@ def _along_motion(patch: Patch) -> Sample:
     return lambda fractions: patch.point(*np.broadcast_arrays(_STATIONS[:, None], fractions))
 
 
-def _panels(boundary: Boundary, groups: Groups, group: Edge) -> tuple[float, ...]:
-    """Fractions at which anything in the group is not analytic; of edges that are used both ways, mirrored ones too."""
+def _first(boundary: Boundary, groups: Groups, group: Edge, samples: Sequence[Sample]) -> Basis:
+    """The coarsest basis of a group: with the fractions at which anything in it is not analytic."""
     found: set[float] = set()
     both_ways = False
     for patch in boundary.patches:
@@ -187,7 +185,8 @@ def _panels(boundary: Boundary, groups: Groups, group: Edge) -> tuple[float, ...
             found |= set(edge.curve.panels)
     mirrored = {1.0 - fraction for fraction in found} if both_ways else set()
     merged = np.array(sorted(found | mirrored))
-    return tuple(merged[np.diff(merged, prepend=0.0) > SAME].tolist()) if merged.size else ()
+    panels = tuple(merged[np.diff(merged, prepend=0.0) > SAME].tolist()) if merged.size else ()
+    return coarsest(panels, _kinks(panels, samples), mirrored=both_ways)
 
 
 def _kinks(panels: tuple[float, ...], samples: Sequence[Sample]) -> tuple[float, ...]:
@@ -208,25 +207,22 @@ def _kinks(panels: tuple[float, ...], samples: Sequence[Sample]) -> tuple[float,
 
 def _fine_enough(group: Edge, basis: Basis, samples: Sequence[Sample], tolerance: float) -> Basis:
     wanted = _SHARE * tolerance
-    error = max(_error(basis, sample) for sample in samples)
-    while error > wanted:
-        finer = basis.finer(error / wanted)
-        found = max(_error(finer, sample) for sample in samples)
-        slow = basis.degree == finer.degree and found > error * (basis.spans / finer.spans) ** _LEAST_ORDER
-        if finer.spans > _MOST_SPANS or (slow and finer.spans > _PATIENCE):
-            raise _impossible(group.name, tolerance, found / _SHARE)
-        basis, error = finer, found
+    while (errors := np.max([_errors(basis, sample) for sample in samples], axis=0)).max() > wanted:
+        basis = basis.finer(errors > wanted)
+        _require_possible(basis, group.name, tolerance)
     return basis
 
 
-def _impossible(name: str, tolerance: float, least: float) -> GeometryError:
-    problem = f"a spline of {name} would need too many polynomials one after another; {least:.2g} is possible"
-    return GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:.3g}", problem)])
-
-
-def _error(basis: Basis, sample: Sample) -> float:
+def _errors(basis: Basis, sample: Sample) -> Array:
+    """How far (k,) interpolants are off at the checks, the worst of the lines."""
     found = basis.values(basis.poles(sample(basis.nodes), axis=1), basis.checks, axis=1)
-    return float(np.max(np.linalg.norm(found - sample(basis.checks), axis=-1)))
+    return np.linalg.norm(found - sample(basis.checks), axis=-1).max(axis=0)
+
+
+def _require_possible(basis: Basis, name: str, tolerance: float) -> None:
+    if basis.spans > _MOST_SPANS or basis.narrowest < _NARROWEST:
+        problem = f"{name} would need {basis.spans} polynomials and more, one after another; take a greater tolerance"
+        raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:.3g}", problem)])
 
 
 def _poles(patch: Patch, across: Basis, up: Basis) -> Array:
@@ -234,10 +230,10 @@ def _poles(patch: Patch, across: Basis, up: Basis) -> Array:
     return up.poles(across.poles(_grid(patch, across.nodes, up.nodes)), axis=1)
 
 
-def _product_error(patch: Patch, across: Basis, up: Basis) -> float:
-    """How far it is off, between the nodes."""
+def _product_errors(patch: Patch, across: Basis, up: Basis) -> Array:
+    """How far (k, l) it is off, between the nodes."""
     found = up.values(across.values(_poles(patch, across, up), across.checks), up.checks, axis=1)
-    return float(np.linalg.norm(found - _grid(patch, across.checks, up.checks), axis=-1).max())
+    return np.linalg.norm(found - _grid(patch, across.checks, up.checks), axis=-1)
 
 
 def _grid(patch: Patch, u: Array, v: Array) -> Array:

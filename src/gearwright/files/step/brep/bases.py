@@ -12,35 +12,31 @@ from functools import cached_property
 import numpy as np
 
 from ....arrays import Array
-from ....curves.curve import in_panels
 
 DEGREE = 7
-_ROOM, _MOST_GROWTH = 1.05, 4.0
 _SMOOTH = 1  # multiplicity of a knot between spans of one panel; between panels degree − 1, which leaves C¹
 
 
 @dataclass(frozen=True)
 class Basis:
-    """B-splines with so many equal spans in each panel; one of degree 1 and a single span holds straight lines.
+    """B-splines over spans; one of degree 1 and a single span holds straight lines.
 
-    panels   fractions at which what is interpolated is smooth but not analytic
-    kinks    those of them at which its derivative jumps
+    breaks    ends of the spans, from 0 to 1
+    panels    those at which what is interpolated is smooth but not analytic
+    kinks     those at which its derivative jumps
+    mirrored  whether the breaks are the same from either end: of edges that are used both ways
     """
 
     degree: int
-    spans: int
+    breaks: tuple[float, ...] = (0.0, 1.0)
     panels: tuple[float, ...] = ()
     kinks: tuple[float, ...] = ()
-
-    @cached_property
-    def breaks(self) -> Array:
-        """Distinct knots, from 0 to 1."""
-        return in_panels(self.panels, np.arange(self.spans) / self.spans, last=True)
+    mirrored: bool = False
 
     @cached_property
     def multiplicities(self) -> tuple[int, ...]:
         ends = self.degree + 1
-        return (ends, *map(self._multiplicity, self.breaks[1:-1].tolist()), ends)
+        return (ends, *map(self._multiplicity, self.breaks[1:-1]), ends)
 
     def _multiplicity(self, knot: float) -> int:
         if knot in self.kinks:
@@ -50,7 +46,7 @@ class Basis:
     @cached_property
     def knots(self) -> Array:
         """All knots, repeated ones as often as they count."""
-        return np.repeat(self.breaks, self.multiplicities)
+        return np.repeat(np.array(self.breaks), self.multiplicities)
 
     @cached_property
     def nodes(self) -> Array:
@@ -86,18 +82,32 @@ class Basis:
         found = BSpline(self.knots, np.moveaxis(poles, axis, 0), self.degree)(fractions)
         return np.asarray(np.moveaxis(found, 0, axis))
 
-    def finer(self, excess: float) -> Basis:
-        """The next one to try where the error is so many times what it may be."""
+    @property
+    def spans(self) -> int:
+        return len(self.breaks) - 1
+
+    def finer(self, too_far: Array) -> Basis:
+        """The next one to try: spans are halved in which the interpolant is too far off at one of the checks (k,)."""
         if self.degree == 1:
             return replace(self, degree=DEGREE)
-        growth = min(max(_ROOM * excess ** (1.0 / (DEGREE + 1)), 1.0), _MOST_GROWTH)
-        return replace(self, spans=max(self.spans + 1, int(np.ceil(growth * self.spans))))
+        breaks = np.array(self.breaks)
+        bad = np.zeros(self.spans, bool)
+        bad[np.clip(np.searchsorted(breaks, self.checks[too_far], side="right") - 1, 0, self.spans - 1)] = True
+        if self.mirrored:
+            bad |= bad[::-1]
+        middles = (breaks[:-1] + breaks[1:])[bad] / 2.0
+        return replace(self, breaks=tuple(np.sort(np.concatenate([breaks, middles])).tolist()))
+
+    @property
+    def narrowest(self) -> float:
+        """The shortest span."""
+        return float(np.diff(self.breaks).min())
 
 
-COARSEST = Basis(1, 1)
+COARSEST = Basis(1)
 """What straight lines at even speed need."""
 
 
-def coarsest(panels: tuple[float, ...], kinks: tuple[float, ...]) -> Basis:
+def coarsest(panels: tuple[float, ...], kinks: tuple[float, ...], *, mirrored: bool) -> Basis:
     """The first basis to try for what has such panels."""
-    return Basis(DEGREE, 1, panels, kinks) if panels else COARSEST
+    return Basis(DEGREE if panels else 1, (0.0, *panels, 1.0), panels, kinks, mirrored)

@@ -261,10 +261,10 @@ def on_surface(surface: Round, track: Track, tolerance: float) -> SurfaceCurve:
     while True:
         poles, wanted = basis.poles(exact(basis.nodes)), exact(basis.checks)
         found = basis.values(poles, basis.checks)
-        error = float(np.max(np.linalg.norm(surface.point(found) - surface.point(wanted), axis=-1)))
-        if error <= tolerance:
-            return SurfaceCurve(basis=basis, poles=poles, error=error)
-        basis = basis.finer(error / tolerance)
+        errors = np.linalg.norm(surface.point(found) - surface.point(wanted), axis=-1)
+        if errors.max() <= tolerance:
+            return SurfaceCurve(basis=basis, poles=poles, error=float(errors.max()))
+        basis = basis.finer(errors > tolerance)
 
 
 def sphere_for(surface: Sphere, loops: Sequence[Sequence[Ref]]) -> Sphere:

@@ -5,6 +5,7 @@ Conventions of ISO 10303-42: every elementary surface has a right-handed frame o
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -257,7 +258,7 @@ class Spline:
         for i, row in enumerate(self.poles.tolist()):
             for j, (x, y, z) in enumerate(row):
                 grid.SetValue(i + 1, j + 1, _point(x, y, z))
-        knots = [_numbers(basis.breaks.tolist()) for basis in (u, v)]
+        knots = [_numbers(basis.breaks) for basis in (u, v)]
         counts = [_counts(basis.multiplicities) for basis in (u, v)]
         return Geom_BSplineSurface(grid, *knots, *counts, u.degree, v.degree)
 
@@ -275,7 +276,7 @@ def spline_curve(basis: Basis, poles: Array) -> Any:
     points = kernel().points(1, len(poles))
     for i, (x, y, z) in enumerate(poles.tolist()):
         points.SetValue(i + 1, _point(x, y, z))
-    return Geom_BSplineCurve(points, _numbers(basis.breaks.tolist()), _counts(basis.multiplicities), basis.degree)
+    return Geom_BSplineCurve(points, _numbers(basis.breaks), _counts(basis.multiplicities), basis.degree)
 
 
 def spline_curve_2d(basis: Basis, poles: Array, first: float, last: float) -> Any:
@@ -286,9 +287,8 @@ def spline_curve_2d(basis: Basis, poles: Array, first: float, last: float) -> An
     points = kernel().points_2d(1, len(poles))
     for i, (x, y) in enumerate(poles.tolist()):
         points.SetValue(i + 1, gp_Pnt2d(x, y))
-    breaks = first + basis.breaks * (last - first)
-    breaks[-1] = last
-    return Geom2d_BSplineCurve(points, _numbers(breaks.tolist()), _counts(basis.multiplicities), basis.degree)
+    breaks = [first + at * (last - first) for at in basis.breaks[:-1]] + [last]
+    return Geom2d_BSplineCurve(points, _numbers(breaks), _counts(basis.multiplicities), basis.degree)
 
 
 def _point(x: float, y: float, z: float) -> Any:
@@ -297,7 +297,7 @@ def _point(x: float, y: float, z: float) -> Any:
     return gp_Pnt(x, y, z)
 
 
-def _numbers(values: list[float]) -> Any:
+def _numbers(values: Sequence[float]) -> Any:
     array = kernel().numbers(1, len(values))
     for i, value in enumerate(values):
         array.SetValue(i + 1, value)
