@@ -137,3 +137,11 @@ def test_the_lift_table_is_the_programme():
 def test_numbers_have_five_digits_at_least(value, text):
     assert decimal(value, 3) == text
     assert np.isfinite(value)
+
+
+@pytest.mark.parametrize(("hub_length", "shown"), [(None, False), (20.0, False), (30.0, True)])
+def test_a_hub_as_wide_as_the_teeth_has_no_dimension(hub_length, shown):
+    gear = gw.SpurGear(teeth=24, module=3, face_width=20, bore=20, hub_diameter=36, hub_length=hub_length)
+    widths = [abs(d.end[1] - d.start[1]) for d in gear.views()[0].dimensions if getattr(d, "prefix", "") == "Ø"]
+    assert (36.0 in widths) == shown
+    assert 20.0 in widths

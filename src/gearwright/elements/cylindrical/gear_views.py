@@ -124,7 +124,7 @@ def body_dimensions(zones: Sequence[Zone], blank: Blank) -> list[Span]:
     if blank.keyed_bore is not None:
         keyed = blank.keyed_bore
         found.append(Span(start=(inner.low, -keyed.radius), end=(inner.low, keyed.radius + keyed.depth), side="left"))
-    if blank.hub_diameter is not None:
+    if blank.hub_diameter is not None and len(zones) > 1:  # as wide as the teeth, it does not show
         found.append(diameter(inner.low, blank.hub_diameter / 2.0))
     if blank.has_web and blank.rim_diameter is not None:
         found.append(diameter(zones[0].low, blank.rim_diameter / 2.0))
