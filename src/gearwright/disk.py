@@ -135,6 +135,16 @@ def written_together(folder: str | Path) -> Iterator[Path]:
         _without_error(staged.rmdir)
 
 
+def _renamed(path: Path, target: Path) -> None:
+    """Renames a file; moves it where a link has led to another disk."""
+    try:
+        path.replace(target)
+    except OSError as error:
+        if error.errno != errno.EXDEV:
+            raise
+        shutil.move(path, target)
+
+
 def _exchange(new: Path, old: Path, home: Path) -> None:
     """Moves every file of one folder to its place in another, and what stood there to a third; all or none."""
     names = [path.relative_to(new) for path in sorted(new.rglob("*")) if path.is_file()]
@@ -146,16 +156,16 @@ def _exchange(new: Path, old: Path, home: Path) -> None:
             raise FileError(f"{place.parent}: cannot be a folder, a file stands in its way; move it away")
     with ExitStack() as undo:
         for name in names:
-            place, kept = home / name, old / name
+            place, kept = Path(os.path.realpath(home / name)), old / name  # a link is followed
             for path in (place, kept):
                 if not path.parent.exists():
                     path.parent.mkdir()
                     undo.callback(_without_error, path.parent.rmdir)
             if place.exists():
                 (new / name).chmod(stat.S_IMODE(place.stat().st_mode))
-                place.replace(kept)
-                undo.callback(kept.replace, place)
-            (new / name).replace(place)
+                _renamed(place, kept)
+                undo.callback(_renamed, kept, place)
+            _renamed(new / name, place)
             undo.callback(_without_error, place.unlink)
         undo.pop_all()
 

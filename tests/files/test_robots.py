@@ -118,6 +118,18 @@ def test_whichever_renaming_fails_all_is_taken_back(tmp_path, monkeypatch, faili
     assert {path.name for path in tmp_path.iterdir()} == {"a.txt", "m", "z.txt"}
 
 
+def test_links_to_other_disks_are_followed(tmp_path, monkeypatch):
+    fill(tmp_path, OLD)
+
+    def replace(self, target):
+        raise OSError(18, "Invalid cross-device link")
+
+    monkeypatch.setattr(type(tmp_path), "replace", replace)
+    with written_together(tmp_path) as staged:
+        fill(staged, NEW)
+    assert {name: text.decode() for name, text in files(tmp_path).items()} == {**OLD, **NEW}
+
+
 def test_all_is_exchanged_and_nothing_else_stays(tmp_path):
     fill(tmp_path, OLD)
     (tmp_path / "a.txt").chmod(0o640)
