@@ -14,7 +14,7 @@ from ....boundary.edge import Edge, Vertex
 from ....placement import Placement
 from .approximation import Approximation
 from .elementary import Circular, Straight
-from .surfaces import spline_curve
+from .splines import spline_curve
 
 LEAST_TOLERANCE = 1e-7
 """Open CASCADE's own tolerance of points that are one, a length whatever the unit."""

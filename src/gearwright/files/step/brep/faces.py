@@ -11,7 +11,7 @@ import numpy as np
 from ....arrays import Array
 from .bases import COARSEST
 from .edges import LEAST_TOLERANCE
-from .surfaces import spline_curve_2d
+from .splines import spline_curve_2d
 
 
 @dataclass(frozen=True, kw_only=True)

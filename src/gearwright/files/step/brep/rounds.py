@@ -17,7 +17,8 @@ from ....boundary.edge import Edge
 from .bases import COARSEST, Basis
 from .elementary import SAME
 from .faces import line_on_surface
-from .surfaces import Round, Sphere, chart, spline_curve_2d
+from .splines import spline_curve_2d
+from .surfaces import Round, Sphere, chart
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 _TURN = 2.0 * np.pi

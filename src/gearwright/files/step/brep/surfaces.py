@@ -5,7 +5,6 @@ Conventions of ISO 10303-42: every elementary surface has a right-handed frame o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -14,6 +13,7 @@ import numpy as np
 from ....arrays import Array
 from ..kernel import kernel
 from .bases import Basis
+from .splines import counts, numbers, point, spline_curve
 
 
 class Geometry(Protocol):
@@ -257,9 +257,9 @@ class Spline:
         grid = kernel().point_grid(1, n, 1, m)
         for i, row in enumerate(self.poles.tolist()):
             for j, (x, y, z) in enumerate(row):
-                grid.SetValue(i + 1, j + 1, _point(x, y, z))
-        knots = [_numbers(basis.breaks) for basis in (u, v)]
-        counts = [_counts(basis.multiplicities) for basis in (u, v)]
+                grid.SetValue(i + 1, j + 1, point(x, y, z))
+        knots = [numbers(basis.breaks) for basis in (u, v)]
+        counts = [counts(basis.multiplicities) for basis in (u, v)]
         return Geom_BSplineSurface(grid, *knots, *counts, u.degree, v.degree)
 
     def point(self, uv: Array) -> Array:
@@ -267,45 +267,3 @@ class Spline:
         across = u.values(self.poles, uv[..., 0].ravel())
         rows = [v.values(row, np.array([at]))[0] for row, at in zip(across, uv[..., 1].ravel(), strict=True)]
         return np.reshape(rows, (*uv.shape[:-1], 3))
-
-
-def spline_curve(basis: Basis, poles: Array) -> Any:
-    """A spline of poles (n, 3) in space, parameter from 0 to 1."""
-    from OCP.Geom import Geom_BSplineCurve
-
-    points = kernel().points(1, len(poles))
-    for i, (x, y, z) in enumerate(poles.tolist()):
-        points.SetValue(i + 1, _point(x, y, z))
-    return Geom_BSplineCurve(points, _numbers(basis.breaks), _counts(basis.multiplicities), basis.degree)
-
-
-def spline_curve_2d(basis: Basis, poles: Array, first: float, last: float) -> Any:
-    """A spline of poles (n, 2) in a plane of parameters, its own parameter from first to last."""
-    from OCP.Geom2d import Geom2d_BSplineCurve
-    from OCP.gp import gp_Pnt2d
-
-    points = kernel().points_2d(1, len(poles))
-    for i, (x, y) in enumerate(poles.tolist()):
-        points.SetValue(i + 1, gp_Pnt2d(x, y))
-    breaks = [first + at * (last - first) for at in basis.breaks[:-1]] + [last]
-    return Geom2d_BSplineCurve(points, _numbers(breaks), _counts(basis.multiplicities), basis.degree)
-
-
-def _point(x: float, y: float, z: float) -> Any:
-    from OCP.gp import gp_Pnt
-
-    return gp_Pnt(x, y, z)
-
-
-def _numbers(values: Sequence[float]) -> Any:
-    array = kernel().numbers(1, len(values))
-    for i, value in enumerate(values):
-        array.SetValue(i + 1, value)
-    return array
-
-
-def _counts(values: tuple[int, ...]) -> Any:
-    array = kernel().counts(1, len(values))
-    for i, value in enumerate(values):
-        array.SetValue(i + 1, value)
-    return array
