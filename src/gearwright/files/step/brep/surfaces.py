@@ -258,9 +258,9 @@ class Spline:
         for i, row in enumerate(self.poles.tolist()):
             for j, (x, y, z) in enumerate(row):
                 grid.SetValue(i + 1, j + 1, point(x, y, z))
-        knots = [numbers(basis.breaks) for basis in (u, v)]
-        counts = [counts(basis.multiplicities) for basis in (u, v)]
-        return Geom_BSplineSurface(grid, *knots, *counts, u.degree, v.degree)
+        breaks = [numbers(basis.breaks) for basis in (u, v)]
+        repeats = [counts(basis.multiplicities) for basis in (u, v)]
+        return Geom_BSplineSurface(grid, *breaks, *repeats, u.degree, v.degree)
 
     def point(self, uv: Array) -> Array:
         u, v = self.bases
