@@ -9,16 +9,11 @@ from typing import Annotated
 from cyclopts import Parameter as Option
 
 from .. import catalog
+from ..files.formats import written_suffixes
 from .densities import DENSITY_HELP, MATERIAL_HELP, kilograms
 from .options import OUTPUT
 
 PAPERS = ("A3", "A4")
-
-
-def written_suffixes(holds: str = "") -> list[str]:
-    """Of files of bodies that can be written, of all or of those that hold "polygons" or "smooth faces"."""
-    formats = (one for one in catalog.FILE_FORMATS if one.writer and holds in ("", one.holds))
-    return [suffix for one in formats for suffix in one.suffixes]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,9 +7,10 @@ from pathlib import Path
 
 from .. import catalog
 from ..errors import Problem
+from ..files.formats import written_suffixes
 from ..materials import DENSITY
 from ..parameters import Parameter
-from .common_options import PAPERS, Outputs, written_suffixes
+from .common_options import PAPERS, Outputs
 from .densities import material_problems
 from .options import option_name
 

@@ -21,7 +21,7 @@ from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.robots import density_for, save_mechanism
-from ..solids.saving import refuse_clearance, refuse_schema, save_solids
+from ..solids.saving import save_solids
 from ..solids.solid import Solid
 from . import refusals
 from .assembly import PlacedPart, alone, draw_parts, polyhedra
@@ -115,9 +115,7 @@ class Element(ABC):
         Raises FileError, MachineError; GeometryError where tolerance or clearance cannot be met.
         """
         name = Path(path).stem
-        if (needed := density_for(path, density)) is not None:
-            refuse_clearance(path, clearance)
-            refuse_schema(path, step_schema)
+        if (needed := density_for(path, density, clearance=clearance, step_schema=step_schema)) is not None:
             save_mechanism(path, self.mechanism(name, needed, tolerance))
             return
         solid = replace(self._part(tolerance).solid, name=name, clearance=clearance)

@@ -19,7 +19,6 @@ from ..sections.drawings import write as write_profiles
 from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.robots import density_for, refuse_density, save_mechanism
-from ..solids.saving import refuse_clearance, refuse_schema
 from . import refusals
 from .assembly import PlacedPart, draw_parts, polyhedra, save_parts
 from .data_rows import mate_rows
@@ -129,9 +128,7 @@ class Pair(ABC):
         parts = [replace(part, clearance=clearance) for part in self.parts(tolerance, turn)]
         if not Path(path).suffix:
             refuse_density(path, density)
-        elif (needed := density_for(path, density)) is not None:
-            refuse_clearance(path, clearance)
-            refuse_schema(path, step_schema)
+        elif (needed := density_for(path, density, clearance=clearance, step_schema=step_schema)) is not None:
             save_mechanism(path, self.mechanism(Path(path).stem, needed, tolerance, turn))
             return
         save_parts(parts, Path(path), self.length_unit, suffix=suffix, step_schema=step_schema)

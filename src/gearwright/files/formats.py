@@ -118,6 +118,12 @@ FILE_FORMATS = (
 )
 
 
+def written_suffixes(holds: str = "") -> list[str]:
+    """Of files that can be written, of all or of those that hold "polygons", "smooth faces" or a "mechanism"."""
+    formats = (one for one in FILE_FORMATS if one.writer and holds in ("", one.holds))
+    return [suffix for one in formats for suffix in one.suffixes]
+
+
 def format_of(path: str | Path, done: str) -> FileFormat:
     """The format of a name's suffix that can be "read" or "written". Raises FileError where there is none."""
     known = [one for one in FILE_FORMATS if (one.parser if done == "read" else one.writer)]

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..errors import FileError, GeometryError
 from ..sources import load
 from .assembly import Assembly, Faceted
-from .formats import FILE_FORMATS, format_of
+from .formats import format_of, written_suffixes
 
 
 def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
@@ -23,10 +23,9 @@ def save_polygons(path: str | Path, assembly: Assembly[Faceted]) -> None:
             f' and solids are written so with a density: save("{Path(path).name}", density="steel")'
         )
     if format_.holds != "polygons":
-        others = [suffix for one in FILE_FORMATS if one.writer and one.holds == "polygons" for suffix in one.suffixes]
         raise FileError(
             f"{path}: {format_.name} holds smooth faces, and polygons are given; a solid that was built here can be"
-            f" written so, polygons as {', '.join(others)}"
+            f" written so, polygons as {', '.join(written_suffixes('polygons'))}"
         )
     bare = [part.name for part in assembly.parts if len(part.shape.offsets) < 2]
     if bare:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import FileError
-from ..files.formats import FILE_FORMATS, FileFormat, format_of
+from ..files.formats import FileFormat, format_of, written_suffixes
 from .model import Model
 
 _UPRIGHT = np.array([[1.0, 0, 0, 0], [0, 0, -1.0, 0], [0, 1.0, 0, 0], [0, 0, 0, 1.0]])
@@ -33,10 +33,9 @@ def convert(source: str | Path, target: str | Path, *, length_unit: str | None =
             " by the command that builds the part, with a --material"
         )
     if wanted.holds != "polygons":
-        others = ", ".join(s for one in FILE_FORMATS if one.writer and one.holds == "polygons" for s in one.suffixes)
         raise FileError(
             f"{target}: {wanted.name} holds smooth faces, and {source} is read as polygons, which are none; convert it"
-            f" to {others}, or build the part anew, from its design or by its command"
+            f" to {', '.join(written_suffixes('polygons'))}, or build the part anew, from its design or by its command"
         )
     model = Model.load(source)
     given = format_of(source, "read")

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import FileError
-from ..files.formats import FILE_FORMATS, format_of
+from ..files.formats import format_of, written_suffixes
 from ..files.robots.mechanism import Joint, Link, Mechanism
 from ..materials import density as kernel_density
 from ..parameters import LENGTH_UNITS
 from ..sources import load
 from .inertial import inertial_of
-from .saving import PlacedSolid
+from .saving import PlacedSolid, refuse_clearance, refuse_schema
 
 LONE = "part"
 """A link that is alone: simulators keep some names to themselves, and file names are free."""
@@ -43,10 +43,12 @@ def save_mechanism(path: str | Path, mechanism: Mechanism) -> list[Path]:
     return files
 
 
-def density_for(path: str | Path, density: str | float | None) -> str | float | None:
+def density_for(
+    path: str | Path, density: str | float | None, *, clearance: float, step_schema: str | None
+) -> str | float | None:
     """The density where a file of this name holds masses, else None.
 
-    Raises FileError unless one is given just where it is needed.
+    Raises FileError unless one is given just where it is needed, and for what such files have no place for.
     """
     format_ = format_of(path, "written")
     if format_.holds != "mechanism":
@@ -56,16 +58,17 @@ def density_for(path: str | Path, density: str | float | None) -> str | float | 
         raise FileError(
             f'{path}: {format_.name} holds masses; give a density: the name of a material, as "steel", or kg/m³'
         )
+    refuse_clearance(path, clearance)
+    refuse_schema(path, step_schema)
     return density
 
 
 def refuse_density(path: str | Path, density: object) -> None:
     """Raises FileError where a density is given, for files that hold no masses."""
     if density is not None:
-        with_masses = [suffix for one in FILE_FORMATS if one.holds == "mechanism" for suffix in one.suffixes]
         raise FileError(
             f"{path}: density = {density!r} has no place in such files, which hold shapes alone; leave it out, or write"
-            f" {', '.join(with_masses)}"
+            f" {', '.join(written_suffixes('mechanism'))}"
         )
 
 

@@ -26,7 +26,6 @@ from .properties import MassProperties
 SMOOTH_TOLERANCE = 1e-7
 """How far smooth faces in a file may lie from the solid's, in diagonals of its bounding box, where nothing is said."""
 
-
 _ROUNDING = 2e-11
 """Of the largest coordinate: what sixteen digits leave far from the origin, with room."""
 
@@ -73,13 +72,14 @@ class PlacedSolid:
 
 def smooth(boundary: Boundary, tolerance: float | None = None) -> Smooth:
     """Smooth faces within a tolerance (length), by default SMOOTH_TOLERANCE. Raises GeometryError if it is none."""
+    size = rough_diagonal(boundary)
     if tolerance is None:
         farthest = max(float(np.abs(edge.curve.start).max()) for edge in boundary.edges)
-        tolerance = max(SMOOTH_TOLERANCE * rough_diagonal(boundary), _ROUNDING * farthest)
+        tolerance = max(SMOOTH_TOLERANCE * size, _ROUNDING * farthest)
     if not 0.0 < tolerance < np.inf:
         wanted = "a finite length greater than 0 is needed"
         raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])
-    if tolerance > (size := rough_diagonal(boundary)):
+    if tolerance > size:
         wanted = f"more than the whole body, whose diagonal is {size:.6g}; is it in the right unit?"
         raise GeometryError("No smooth faces have this tolerance", [Problem(f"tolerance = {tolerance:g}", wanted)])
     return Smooth(boundary=boundary, tolerance=tolerance)
@@ -104,18 +104,15 @@ def save_solids(
     from .robots import density_for, mechanism_of, save_mechanism
 
     clearance = max(solid.clearance for solid in solids)
-    needed = density_for(path, density)
-    if format_of(path, "written").holds != "smooth faces":
-        refuse_schema(path, step_schema)
+    needed = density_for(path, density, clearance=clearance, step_schema=step_schema)
     if needed is not None:
-        refuse_clearance(path, clearance)
         save_mechanism(path, mechanism_of(name, solids, needed, length_unit or ""))
-        return
-    if format_of(path, "written").holds == "smooth faces":
+    elif format_of(path, "written").holds == "smooth faces":
         refuse_clearance(path, clearance)
         write_step(path, smooth_of(solids, name=name, length_unit=length_unit), schema=(step_schema or "AP214").upper())
-        return
-    save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
+    else:
+        refuse_schema(path, step_schema)
+        save_polygons(path, polyhedra_of(solids, name=name, length_unit=length_unit))
 
 
 def polyhedra_of(solids: Sequence[PlacedSolid], *, name: str, length_unit: str | None) -> Assembly[Polyhedron]:

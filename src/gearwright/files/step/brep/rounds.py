@@ -18,7 +18,7 @@ from .bases import COARSEST, Basis
 from .elementary import SAME
 from .faces import line_on_surface
 from .splines import spline_curve_2d
-from .surfaces import Round, Sphere, chart
+from .surfaces import Round, Sphere
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 _TURN = 2.0 * np.pi
@@ -59,7 +59,7 @@ class Track:
 
     def parameters(self, surface: Round, fractions: Array) -> Array:
         """(U, V) (n, 2) at the edge's fractions, near the azimuths known."""
-        found = chart(surface, self.ref.points(fractions))
+        found = surface.chart(self.ref.points(fractions))
         way, azimuths = (a[::-1] if self.ref.reverse else a for a in (self.ref.way, self.azimuths))
         near = np.interp(fractions, way, azimuths)
         found[:, 0] += _TURN * np.round((near - found[:, 0]) / _TURN)
@@ -87,7 +87,7 @@ def tracked(surface: Round, loop: Sequence[Ref]) -> Tracks:
     """A loop followed around the axis, from the azimuth of its start in (−π, π]."""
     tracks: list[Track] = []
     for ref, points in zip(loop, _points(loop), strict=True):
-        azimuths, heights = chart(surface, points).T
+        azimuths, heights = surface.chart(points).T
         azimuths = np.unwrap(azimuths)
         if tracks:
             azimuths += _TURN * np.round((tracks[-1].azimuths[-1] - azimuths[0]) / _TURN)
@@ -143,7 +143,7 @@ def layout(surface: Round, loops: Sequence[Sequence[Ref]]) -> Layout:
     first = _from_nearest_corner(surface, around[0], around[1:])
     start = first.tracks[0].ref
     corner = start.points(start.way[:1])[0]
-    azimuth = float(chart(surface, corner)[0])
+    azimuth = float(surface.chart(corner)[0])
     surface = replace(surface, frame=surface.frame.turned(azimuth))
     if len(around) == 2:
         second = _cut_open(surface, [track.ref for track in around[1].tracks])
@@ -179,8 +179,8 @@ def _begun(loop: Tracks) -> Tracks:
 
 def _from_nearest_corner(surface: Round, loop: Tracks, others: Sequence[Tracks]) -> Tracks:
     """The loop begun at the corner nearest to the other loop, or to the pole: the seam is free from there."""
-    target = chart(surface, others[0].tracks[0].ref.points(np.array([0.5])))[0, 1] if others else surface.pole
-    corners = [chart(surface, track.ref.points(track.ref.way[:1]))[0, 1] for track in loop.tracks]
+    target = surface.chart(others[0].tracks[0].ref.points(np.array([0.5])))[0, 1] if others else surface.pole
+    corners = [surface.chart(track.ref.points(track.ref.way[:1]))[0, 1] for track in loop.tracks]
     begin = int(np.argmin(np.abs(np.array(corners) - target)))
     return Tracks(tracks=(*loop.tracks[begin:], *loop.tracks[:begin]))
 

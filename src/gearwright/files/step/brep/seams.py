@@ -12,14 +12,14 @@ from .edges import Edges
 from .elementary import Circular, Straight
 from .faces import Use, Wire, line_on_surface
 from .rounds import Layout, Seam
-from .surfaces import Sphere, chart
+from .surfaces import Sphere
 
 _TURN = 2.0 * np.pi
 
 
 def joined(layout: Layout, seam: Seam, around: Sequence[Wire], edges: Edges) -> Wire:
     """The loop of a face with a seam, from the loops around the axis, each begun where the seam ends."""
-    heights = chart(layout.surface, np.array([seam.first, seam.last]))[:, 1]
+    heights = layout.surface.chart(np.array([seam.first, seam.last]))[:, 1]
     out, back = (_TURN, 0.0) if layout.loops[0].winding > 0 else (0.0, _TURN)
     start = _entry(around[0])
     end = edges.corner(seam.last) if seam.to_pole else _entry(around[1])

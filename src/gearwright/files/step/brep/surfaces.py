@@ -5,12 +5,14 @@ Conventions of ISO 10303-42: every elementary surface has a right-handed frame o
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
 from ....arrays import Array
+from ....curves.curve import turn
 from ..kernel import kernel
 from .bases import Basis
 from .splines import counts, numbers, point, spline_curve
@@ -18,10 +20,6 @@ from .splines import counts, numbers, point, spline_curve
 
 class Geometry(Protocol):
     """A surface r(U, V)."""
-
-    @property
-    def periodic(self) -> bool:
-        """Whether U is an angle about an axis."""
 
     def made(self) -> Any:
         """It in Open CASCADE."""
@@ -53,9 +51,7 @@ class Frame:
 
     def turned(self, angle: float) -> Frame:
         """With x turned towards y, about z."""
-        c, s = np.cos(angle), np.sin(angle)
-        turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-        return Frame(axes=self.axes @ turn, origin=self.origin)
+        return Frame(axes=self.axes @ turn(angle, 3), origin=self.origin)
 
     def made(self) -> Any:
         from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt
@@ -68,7 +64,6 @@ class Flat:
     """The plane origin + U x + V y."""
 
     frame: Frame
-    periodic = False
 
     def made(self) -> Any:
         from OCP.Geom import Geom_Plane
@@ -80,12 +75,47 @@ class Flat:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Cylinder:
-    """ρ = radius, z = V; U is the azimuth about z."""
+class Round(ABC):
+    """A surface of revolution that has a height V at every point of a meridian plane; U is the azimuth about z.
+
+    pole   V where it comes to the axis; infinite where it never does
+    """
 
     frame: Frame
+
+    @abstractmethod
+    def made(self) -> Any:
+        """It in Open CASCADE."""
+
+    @abstractmethod
+    def meridian(self, v: Array) -> tuple[Array, Array]:
+        """ρ and z (...) at heights (...)."""
+
+    @abstractmethod
+    def height(self, rho: Array, z: Array) -> Array:
+        """V (...) at ρ and z (...)."""
+
+    @property
+    @abstractmethod
+    def pole(self) -> float: ...
+
+    def point(self, uv: Array) -> Array:
+        """r (..., 3) at parameters (..., 2)."""
+        rho, z = self.meridian(uv[..., 1])
+        return _about_axis(self.frame, rho, z, uv[..., 0])
+
+    def chart(self, points: Array) -> Array:
+        """(U, V) (..., 2) of points (..., 3), with U in (−π, π]."""
+        local = self.frame.local(points)
+        rho = np.hypot(local[..., 0], local[..., 1])
+        return np.stack([np.arctan2(local[..., 1], local[..., 0]), self.height(rho, local[..., 2])], axis=-1)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cylinder(Round):
+    """ρ = radius, z = V."""
+
     radius: float
-    periodic = True
 
     def made(self) -> Any:
         from OCP.Geom import Geom_CylindricalSurface
@@ -99,9 +129,6 @@ class Cylinder:
         del rho
         return z
 
-    def point(self, uv: Array) -> Array:
-        return _turned(self, uv)
-
     @property
     def pole(self) -> float:
         """It never comes to the axis."""
@@ -109,13 +136,11 @@ class Cylinder:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Cone:
-    """ρ = radius + V sin a, z = V cos a with the half-angle a, 0 < a < π/2; U is the azimuth about z."""
+class Cone(Round):
+    """ρ = radius + V sin a, z = V cos a with the half-angle a, 0 < a < π/2."""
 
-    frame: Frame
     radius: float
     half_angle: float
-    periodic = True
 
     def made(self) -> Any:
         from OCP.Geom import Geom_ConicalSurface
@@ -128,9 +153,6 @@ class Cone:
     def height(self, rho: Array, z: Array) -> Array:
         return (rho - self.radius) * np.sin(self.half_angle) + z * np.cos(self.half_angle)
 
-    def point(self, uv: Array) -> Array:
-        return _turned(self, uv)
-
     @property
     def pole(self) -> float:
         """V of the apex."""
@@ -138,12 +160,10 @@ class Cone:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Sphere:
-    """ρ = radius cos V, z = radius sin V; U is the azimuth about z."""
+class Sphere(Round):
+    """ρ = radius cos V, z = radius sin V."""
 
-    frame: Frame
     radius: float
-    periodic = True
 
     def made(self) -> Any:
         from OCP.Geom import Geom_SphericalSurface
@@ -155,9 +175,6 @@ class Sphere:
 
     def height(self, rho: Array, z: Array) -> Array:
         return np.arctan2(z, rho)
-
-    def point(self, uv: Array) -> Array:
-        return _turned(self, uv)
 
     @property
     def pole(self) -> float:
@@ -172,7 +189,6 @@ class Torus:
     frame: Frame
     major: float
     minor: float
-    periodic = True
 
     def made(self) -> Any:
         from OCP.Geom import Geom_ToroidalSurface
@@ -182,22 +198,6 @@ class Torus:
     def point(self, uv: Array) -> Array:
         v = uv[..., 1]
         return _about_axis(self.frame, self.major + self.minor * np.cos(v), self.minor * np.sin(v), uv[..., 0])
-
-
-Round = Cylinder | Cone | Sphere
-"""Surfaces of revolution that have a height V at every point of a meridian plane."""
-
-
-def chart(surface: Round, points: Array) -> Array:
-    """(U, V) (..., 2) of points (..., 3), with U in (−π, π]."""
-    local = surface.frame.local(points)
-    rho = np.hypot(local[..., 0], local[..., 1])
-    return np.stack([np.arctan2(local[..., 1], local[..., 0]), surface.height(rho, local[..., 2])], axis=-1)
-
-
-def _turned(surface: Round, uv: Array) -> Array:
-    rho, z = surface.meridian(uv[..., 1])
-    return _about_axis(surface.frame, rho, z, uv[..., 0])
 
 
 def _about_axis(frame: Frame, rho: Array, z: Array, azimuth: Array) -> Array:
@@ -211,7 +211,6 @@ class Extruded:
     basis: Basis
     poles: Array
     direction: Array
-    periodic = False
 
     def made(self) -> Any:
         from OCP.Geom import Geom_SurfaceOfLinearExtrusion
@@ -230,7 +229,6 @@ class Turned:
     basis: Basis
     poles: Array
     frame: Frame
-    periodic = True
 
     def made(self) -> Any:
         from OCP.Geom import Geom_SurfaceOfRevolution
@@ -248,7 +246,6 @@ class Spline:
 
     bases: tuple[Basis, Basis]
     poles: Array
-    periodic = False
 
     def made(self) -> Any:
         from OCP.Geom import Geom_BSplineSurface
