@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from .. import catalog
@@ -27,12 +28,15 @@ def _kind(kind: catalog.Element) -> Plain:
         "plane": kind.plane,
         "start": {"element": kind.command, **kind.start},
         "formats": _formats(kind),
-        "parameters": [parameter_form(one) for one in parameters_of(kind)],
+        "parameters": [parameter_form(one, kind.settled) for one in parameters_of(kind)],
     }
 
 
-def parameter_form(declaration: Declaration) -> Plain:
-    """A declared parameter: what it means, which values it takes, when it applies."""
+def parameter_form(declaration: Declaration, settled: Collection[str] = ()) -> Plain:
+    """A declared parameter: what it means, which values it takes, with which choices of others it applies.
+
+    settled   names of choices that are made already
+    """
     parameter = declaration.parameter
     return {
         "name": declaration.name,
@@ -49,7 +53,7 @@ def parameter_form(declaration: Declaration) -> Plain:
         "members": declaration.members,
         "required": declaration.required,
         "default": None if declaration.required else declaration.default,
-        "only": {name: list(words) for name, words in declaration.only.items()},
+        "only": {name: list(words) for name, words in declaration.only.items() if name not in settled},
         "topic": parameter.topic,
         "forms": [_form(form) for form in parameter.forms],
     }
