@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import catalog
 from ..boundary.boundary import Boundary
-from ..boundary.extent import rough_diagonal
+from ..boundary.extent import edge_diagonal
 from ..boundary.sampling import sampling
 from ..colours import BRASS, STEEL
 from ..elements.assembly import alone
@@ -19,7 +19,7 @@ from ..viewer.shells import Shell, shells
 from ..viewer.turning import AT_REST, STEP, Turning
 
 TOLERANCE = 1e-4
-"""How far what is drawn may lie from the exact surface, by the diagonal of each body."""
+"""How far what is drawn may lie from the exact surface, by the diagonal of each body's edges."""
 
 
 class Drawn(Protocol):
@@ -62,7 +62,7 @@ def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> b
 
 
 def _shells(boundary: Boundary) -> list[Shell]:
-    return shells(boundary, sampling(boundary, TOLERANCE * rough_diagonal(boundary)))
+    return shells(boundary, sampling(boundary, TOLERANCE * edge_diagonal(boundary)))
 
 
 def _suitable(bodies: Sequence[DrawnBody], parts: Sequence[Drawn]) -> View:
