@@ -31,8 +31,12 @@ class Drawn(Protocol):
     def boundary(self) -> Boundary: ...
 
 
-def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> bytes:
-    """The message of `viewer.frame` for an element of a kind; known   keys of topologies that the page has."""
+def drawn(kind: catalog.Element, element: Any, number: int | None, known: Collection[str]) -> bytes:
+    """The message of `viewer.frame` for an element of a kind.
+
+    number   of the question that it answers
+    known    keys of topologies that the page has
+    """
     parts: dict[str, Drawn] = {kind.name: element}
     placements, turnings = [np.eye(4)], [AT_REST]
     if kind.members == 2:
@@ -52,6 +56,7 @@ def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> b
     view = alone(element.upward) if kind.members == 1 else _suitable(bodies, list(parts.values()))
     header = {
         "answer": "mesh",
+        "id": number,
         "title": f"{kind.name}: {element.description}",
         "unit": element.length_unit,
         "direction": view.direction,
