@@ -9,7 +9,16 @@ from typing import Literal
 from .files.formats import FILE_FORMATS, FileFormat
 from .sources import Source, load
 
-__all__ = ["ELEMENTS", "FILE_FORMATS", "MOTIONS", "Element", "FileFormat", "Motion", "Source", "load"]
+__all__ = ["ELEMENTS", "FILE_FORMATS", "MOTIONS", "Element", "FileFormat", "Motion", "Plot", "Source", "load"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plot:
+    """A chart that is made of an element. source   a function of the element that gives a Chart"""
+
+    name: str
+    title: str
+    source: Source
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,6 +32,7 @@ class Element:
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
     plane     whether it has a plane section, which can be drawn
+    plots     the charts that a page shows of it
     """
 
     name: str
@@ -35,6 +45,7 @@ class Element:
     plane: bool = False
     diagram: Source | None = None
     running: Source | None = None
+    plots: tuple[Plot, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +57,33 @@ class Motion:
     source: Source
 
 
+_CONVERGENCE = Plot(
+    name="convergence", title="Errors of polyhedra", source="gearwright.elements.convergence_chart:convergence"
+)
+_TEETH = (
+    Plot(name="profile", title="Transverse profile", source="gearwright.elements.cylindrical.charts:profile"),
+    _CONVERGENCE,
+)
+_BEVEL_TEETH = (
+    Plot(
+        name="profile", title="Tooth profile on the mean back cone", source="gearwright.elements.bevel.charts:profile"
+    ),
+    Plot(name="spiral-angle", title="Spiral angle along the face", source="gearwright.elements.bevel.charts:spiral"),
+)
+_RUNNING = (
+    Plot(name="transmission-error", title="Transmission error", source="gearwright.contact.charts:errors"),
+    Plot(name="contact-lines", title="Lines of contact", source="gearwright.contact.charts:contact_lines"),
+    Plot(name="contact-length", title="Length of the lines of contact", source="gearwright.contact.charts:lengths"),
+)
+_CAM = (
+    Plot(name="profile", title="Disk and follower", source="gearwright.elements.cams.charts:profile"),
+    Plot(name="cam-displacement", title="Displacement", source="gearwright.elements.cams.charts:displacement"),
+    Plot(name="cam-velocity", title="Velocity", source="gearwright.elements.cams.charts:velocity"),
+    Plot(name="cam-acceleration", title="Acceleration", source="gearwright.elements.cams.charts:acceleration"),
+    Plot(name="pressure-angle", title="Pressure angle", source="gearwright.elements.cams.charts:pressure_angle"),
+    Plot(name="curvature-radius", title="Radius of curvature", source="gearwright.elements.cams.charts:curvature"),
+)
+
 ELEMENTS = (
     Element(
         name="bevel gear",
@@ -53,6 +91,7 @@ ELEMENTS = (
         source="gearwright.elements.bevel.bevel_gear:BevelGear",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
+        plots=(*_BEVEL_TEETH, _CONVERGENCE),
     ),
     Element(
         name="bevel pair",
@@ -63,6 +102,7 @@ ELEMENTS = (
         members=2,
         diagram="gearwright.contact.diagram:draw",
         running="gearwright.contact.running:running",
+        plots=(*_BEVEL_TEETH, *_RUNNING, _CONVERGENCE),
     ),
     *(
         Element(
@@ -74,6 +114,7 @@ ELEMENTS = (
             members=2,
             settled={"kind": kind},
             plane=True,
+            plots=_TEETH,
         )
         for kind, summary in {
             "spur": "two spur gears in mesh",
@@ -90,6 +131,7 @@ ELEMENTS = (
         command="herringbone",
         origin="on the axis, +z, at one end of the teeth",
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="helical gear",
@@ -98,6 +140,7 @@ ELEMENTS = (
         command="helical",
         origin="on the axis, +z, at one end of the teeth",
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="internal gear",
@@ -106,6 +149,7 @@ ELEMENTS = (
         command="internal",
         origin="on the axis, +z, at one end of the teeth",
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="rack",
@@ -114,6 +158,7 @@ ELEMENTS = (
         command="rack",
         origin="on the pitch plane, below the tip of the first tooth, at one end of the teeth; +x is up",
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="spur gear",
@@ -122,6 +167,7 @@ ELEMENTS = (
         command="spur",
         origin="on the axis, +z, at one end of the teeth",
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="sweep",
@@ -131,6 +177,10 @@ ELEMENTS = (
         origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
         " its axis, +z",
         plane=True,
+        plots=(
+            Plot(name="profile", title="Section at the start", source="gearwright.elements.outline_chart:section"),
+            _CONVERGENCE,
+        ),
     ),
     Element(
         name="cam",
@@ -140,6 +190,7 @@ ELEMENTS = (
         origin="on the axis, +z, at one face of the disk; the follower starts on +x",
         diagram="gearwright.elements.cams.diagram:draw",
         plane=True,
+        plots=(*_CAM, _CONVERGENCE),
     ),
 )
 
