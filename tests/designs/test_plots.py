@@ -237,6 +237,7 @@ def test_the_range_of_the_transmission_error_is_that_of_the_running():
     _, designed = line(found, "as designed")
     assert np.ptp(designed) == pytest.approx(sizes["transmission_error"].value, abs=1e-6)
     assert (x[0], x[-1]) == (0.0, 2.0)
+    assert np.all(np.diff(x) > 0.0)
     assert apart[:48] == pytest.approx(apart[48:96])
     assert apart[:48].mean() == pytest.approx(0.0, abs=1e-6)
 
