@@ -9,7 +9,7 @@ from .. import catalog
 from ..errors import Problem, ProblemsError
 from ..parameters import did_you_mean
 from .design import Design, design_of
-from .kinds import article, said
+from .kinds import article
 
 
 def plots_of(kind: catalog.Element) -> list[dict[str, str]]:
@@ -22,9 +22,11 @@ def plot(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
     Raises ProblemsError where the design cannot be built or has no such chart, and what the chart raises.
     """
+    from .live import built_element
+
     design = design_of(request["design"])
     found = _chosen(design, request.get("plot"))
-    yield catalog.load(found.source)(_element(design)).to_dict()
+    yield catalog.load(found.source)(built_element(design)).to_dict()
 
 
 def _chosen(design: Design, name: object) -> catalog.Plot:
@@ -34,11 +36,3 @@ def _chosen(design: Design, name: object) -> catalog.Plot:
     known = [one.name for one in design.kind.plots]
     problem = Problem(f"plot = {name!r}", f"one of {', '.join(known)} is needed{did_you_mean(name, known)}")
     raise ProblemsError(f"There is no such chart of {article(design.kind.name)} {design.kind.name}", [problem])
-
-
-def _element(design: Design) -> Any:
-    element, problems = design.element()
-    if problems:
-        subject = f"{article(design.kind.name).capitalize()} {said(design.kind, design.kinds, str)}"
-        raise ProblemsError(f"{subject} cannot be built so", problems)
-    return element
