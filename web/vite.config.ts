@@ -1,6 +1,6 @@
 // One script a page, each with all it needs: Python puts the script into a page that loads nothing.
 import { defineConfig } from "vite";
-import { licence } from "./licence";
+import { licence } from "./licence.ts";
 
 export default defineConfig({
   publicDir: false,

@@ -1,6 +1,6 @@
 // The designer page: one page, one script, one style sheet, all of them named without hashes.
 import { defineConfig } from "vite";
-import { licence } from "./licence";
+import { licence } from "./licence.ts";
 
 export default defineConfig({
   root: "src/page",

@@ -26,7 +26,7 @@ export class Sheet {
 
 function text(value: Value, parameter: Parameter): string {
   if (typeof value === "number") return shown(value);
-  if (typeof value === "string") return value.startsWith("upload:") ? value.replace(/^.*\//, "") : value.replaceAll("-", " ");
+  if (typeof value === "string") return value.startsWith("upload:") ? value.replace(/^.*\//, "") : value;
   if (Array.isArray(value) && parameter.kind !== "form") return value.map((one) => (one === null ? "–" : text(one, parameter))).join(" / ");
   const json = JSON.stringify(value);
   return json.length > 240 ? `${json.slice(0, 240)} …` : json;

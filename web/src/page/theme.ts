@@ -8,11 +8,18 @@ export class Themes {
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private chosen: Theme | null;
 
-  constructor(private readonly changed: (theme: Theme) => void) {
+  private changed: (theme: Theme) => void = () => {};
+
+  constructor() {
     const kept = recalled(KEY);
     this.chosen = kept === "light" || kept === "dark" ? kept : null;
     this.dark.addEventListener("change", () => this.apply());
     this.apply();
+  }
+
+  follow(changed: (theme: Theme) => void): void {
+    this.changed = changed;
+    changed(this.current);
   }
 
   get current(): Theme {

@@ -7,14 +7,14 @@ export function tooth(marked: string): SVGSVGElement {
     .body("M0 170V142H30Q38 142 41 134L62 84Q68 58 80 46H120Q132 58 138 84L159 134Q162 142 170 142H192Q200 142 203 134"
       + "L224 84Q230 58 242 46H280V170Z")
     .centre("M0 88H280")
-    .thin("M120 46H182M170 142H186M62 88V24M224 88V24M138 88L162 30M138 88V28")
+    .thin("M120 46H212M62 88V24M224 88V24M138 88L162 30M138 88V28")
     .length([62, 28], [224, 28], "p = π m", ["module", "transverse_module", "diametral_pitch", "teeth"], [-16, -4])
     .length([63, 100], [137, 100], "s", ["circular_thickness", "backlash", "normal_backlash", "thickness_modification"], [-4, 14])
-    .length([178, 46], [178, 88], "h_a", ["addendum", "addendum_coefficient", "tip_diameter", "gear_addendum", "tip_shortening"], [4, 2])
-    .length([178, 88], [178, 142], "h_f", ["dedendum", "dedendum_coefficient", "whole_depth", "working_depth"], [4, 0])
+    .length([206, 46], [206, 88], "h_a", ["addendum", "addendum_coefficient", "tip_diameter", "gear_addendum", "tip_shortening"], [4, 2])
+    .length([206, 88], [206, 142], "h_f", ["dedendum", "dedendum_coefficient", "whole_depth", "working_depth"], [4, 0])
     .angle([138, 88], 48, 90, 68, "α", ["pressure_angle"], [1, -4])
     .note([160, 136], [180, 163], "ρ", ["rack_tip_radius", "rack_tip_coefficient", "fillet_radius", "crown_tip_radius", "root"])
-    .note([124, 52], [226, 62], "C_a", ["tip_relief", "tip_relief_height", "tip_relief_form"])
+    .note([129, 62], [186, 66], "C_a", ["tip_relief", "tip_relief_height", "tip_relief_form"])
     .note([82, 46], [96, 38], "h_K", ["tip_chamfer"])
     .svg;
 }

@@ -1,7 +1,6 @@
 // What every field of the form does, and what it knows of the rest of the page.
 
 import type { Api } from "../api";
-import type { Values } from "../design";
 import type { LengthUnit, Value } from "../protocol";
 
 export interface Context {
@@ -15,6 +14,7 @@ export interface Context {
 
 export interface Editor {
   readonly element: HTMLElement;
+  readonly aside?: HTMLElement; // what stands beside the name
   readonly inputs: HTMLElement[]; // those that a problem is about
   set(value: Value | undefined): void; // undefined: nothing is given
   problem(): string | null; // what keeps its words from being a value
@@ -22,5 +22,3 @@ export interface Editor {
 
 // undefined: nothing is given any more
 export type Changed = (value: Value | undefined) => void;
-
-export type { Values };

@@ -22,7 +22,7 @@ export class Field {
     const label = element("label", { for: id }, capital(name), " ", parameter.symbol ? symbol(parameter.symbol) : null);
     const help = helpOf(parameter, kind, name);
     this.element = element("div", { class: "field", "data-parameter": parameter.name },
-      element("div", { class: "title" }, label, this.unit, help.toggle), this.editor.element, this.wrong, help.panel);
+      element("div", { class: "title" }, label, this.editor.aside ?? null, this.unit, help.toggle), this.editor.element, this.wrong, help.panel);
     this.units(context.unit());
   }
 

@@ -65,7 +65,8 @@ export function bothEditor(parameter: Parameter, naming: Naming, context: Contex
   });
   make_(false);
   return {
-    element: element("div", { class: "both" }, host, toggle),
+    element: host,
+    aside: toggle,
     get inputs() {
       return inputs;
     },
