@@ -33,8 +33,8 @@ export class Api {
     return this.sent("build", { design, density, material });
   }
 
-  plot(design: Design, plot: string): Promise<PlotData> {
-    return this.sent("plots", { design, plot });
+  plot(design: Design, plot: string, signal?: AbortSignal): Promise<PlotData> {
+    return this.sent("plots", { design, plot }, signal);
   }
 
   startFile(wish: FileWish): Promise<{ id: string; url: string }> {
@@ -59,9 +59,10 @@ export class Api {
     return (await this.answered(path)).json() as Promise<T>;
   }
 
-  private async sent<T>(path: string, body: unknown): Promise<T> {
+  private async sent<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
     const headers = { "Content-Type": "application/json" };
-    return (await this.answered(path, { method: "POST", headers, body: JSON.stringify(body) })).json() as Promise<T>;
+    const options: RequestInit = { method: "POST", headers, body: JSON.stringify(body), signal: signal ?? null };
+    return (await this.answered(path, options)).json() as Promise<T>;
   }
 
   private async answered(path: string, options: RequestInit = {}): Promise<Response> {

@@ -205,7 +205,7 @@ export class Designer {
   }
 
   private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
-    this.tables.show(values, approximation, this.unit);
+    this.tables.show(values, approximation, this.unit, this.state.about);
     this.comparing.show(values);
     if (approximation) return;
     this.copying.show(values);

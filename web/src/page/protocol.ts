@@ -159,9 +159,10 @@ export interface PlotData {
   x: { label: string; unit: string };
   y: { label: string; unit: string };
   equal: boolean;
-  lines: { name: string; x: number[]; y: number[]; style: "solid" | "dashed" | "points" }[];
+  lines: { name: string; x: (number | null)[]; y: (number | null)[]; style: "solid" | "dashed" | "points" }[]; // null: a gap
   log: "none" | "both";
   notes: string[];
+  window: [number, number, number, number] | null; // least and greatest x and y that are looked at first
 }
 
 export interface FileWish {
