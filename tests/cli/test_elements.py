@@ -5,7 +5,7 @@ import pytest
 
 import gearwright
 from gearwright import catalog
-from gearwright.cli.kinds import parameters_of
+from gearwright.designs.kinds import parameters_of
 
 
 @pytest.mark.parametrize("element", catalog.ELEMENTS, ids=lambda element: element.name)

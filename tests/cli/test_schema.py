@@ -6,7 +6,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from gearwright import catalog
-from gearwright.cli.kinds import parameters_of
+from gearwright.designs.kinds import parameters_of
 
 from ..examples import BY_NAME, EXAMPLES
 

@@ -10,8 +10,9 @@ from io import StringIO, TextIOWrapper
 import cyclopts
 
 from .. import __version__, catalog
+from ..designs.kinds import commands, teeth_given
 from .exits import DONE, report
-from .options import teeth_given
+from .options import option_name
 
 EPILOGUE = """Lengths are millimetres unless --length-unit says otherwise, angles degrees.
 Results go to stdout, progress and warnings to stderr.
@@ -31,7 +32,7 @@ def build() -> cyclopts.App:
         suppress_keyboard_interrupt=False,
         result_action="return_value",
     )
-    for name in dict.fromkeys(element.command for element in catalog.ELEMENTS):
+    for name in commands():
         app.command(f"{__package__}.elements:{name}", name=name, help=_help(name))
     app.command(f"{__package__}.build:build", name="build", help="Build the element that a TOML file describes.")
     app.command(f"{__package__}.schema:schema", name="schema", help="Print the JSON Schema of those TOML files.")
@@ -61,7 +62,7 @@ def _help(command: str) -> str:
     summaries = f"Build {' or '.join(kind.summary for kind in kinds)}: sizes, properties, files."
     if len(kinds) == 1:
         return summaries
-    return "\n\n".join([summaries, *(f"{teeth_given(kind)}: {kind.summary}." for kind in kinds)])
+    return "\n\n".join([summaries, *(f"{teeth_given(kind, option_name)}: {kind.summary}." for kind in kinds)])
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

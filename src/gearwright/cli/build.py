@@ -10,11 +10,11 @@ from typing import Annotated, Any
 from cyclopts import Parameter as Option
 
 from .. import catalog
+from ..designs.design_file import read_design
+from ..designs.kinds import article, said
 from ..errors import Problem, ProblemsError
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
-from .design import read_design
-from .kinds import article, element_of, said
 from .output_problems import output_problems
 
 DESIGN = Option(metavar="DESIGN.toml", help="The element and its parameters by their Python names.")
@@ -46,7 +46,7 @@ def designed(design: Path, outputs: Outputs) -> tuple[catalog.Element, Any]:
 
 def _element(design: Path, more: Callable[[catalog.Element], list[Problem]]) -> tuple[catalog.Element, Any]:
     found = read_design(design)
-    element, problems = element_of(found.kind, found.kinds, found.values, str)
+    element, problems = found.element()
     problems = problems + more(found.kind)
     if problems:
         raise ProblemsError(

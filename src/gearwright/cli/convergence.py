@@ -7,10 +7,10 @@ from pathlib import Path
 
 from rich.console import RenderableType
 
+from ..designs.built import Built, Part
 from ..disk import folder
 from ..solids.approximation import approximation_error, layer_refinement, section_refinement
 from ..solids.convergence import plot_convergence
-from .built import Built, Part
 from .outputs import progress
 from .tables import plain_table, show
 

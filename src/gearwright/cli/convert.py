@@ -8,11 +8,11 @@ from typing import Annotated
 
 from cyclopts import Parameter as Option
 
+from ..designs.built import built_from
 from ..errors import FileError, Problem, ProblemsError
 from ..files.formats import FILE_FORMATS, written_suffixes
 from ..parameters import LENGTH_UNITS, did_you_mean
 from .build import designed
-from .built import built_from
 from .common_options import Outputs
 from .exits import DONE
 from .outputs import draw, progress, write

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from .. import catalog
+from ..designs.built import Built, built_from
+from ..designs.document import built_document
 from ..disk import folder
 from ..errors import GearwrightError
-from .built import Built, built_from
 from .common_options import Outputs
 from .convergence import plot_parts, show_convergence, with_convergence
 from .exits import DONE
-from .json_output import built_json
+from .json_output import json_line
 from .outputs import draw, draw_sheet, progress, write
 from .report import show_built
 
@@ -37,7 +38,7 @@ def deliver(kind: catalog.Element, element: Any, outputs: Outputs, wording: Call
     except GearwrightError:
         _announce(written)  # what is there already stays, and is no secret
         raise
-    print(built_json(built)) if outputs.json else show_built(built)
+    print(json_line(built_document(built), indent=2)) if outputs.json else show_built(built)
     if outputs.convergence is not None and not outputs.json:
         show_convergence(built)
     for remark in element.remarks:

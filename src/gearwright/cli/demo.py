@@ -13,10 +13,10 @@ from cyclopts import Parameter as Option
 from rich.table import Table
 
 from .. import catalog
+from ..designs.built import Built, Part, built_from
 from ..elements.assembly import draw_parts, save_parts
 from ..parameters import from_mapping
 from ..solids.properties import MassProperties
-from .built import Built, Part, built_from
 from .exits import DONE
 from .outputs import placed_parts, progress
 from .tables import number, plain_table, show

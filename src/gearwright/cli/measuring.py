@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial, reduce
 from pathlib import Path
 
+from ..designs.built import Units, units_and_density
 from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
 from ..files import reading
 from ..parameters import LENGTH_UNITS, did_you_mean
@@ -17,7 +18,6 @@ from ..solids.model import Model
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
 from ..solids.validity.kinds import ProblemKind
-from .built import Units, units_and_density
 from .exits import explained
 
 STANDARD_INPUT = Path("-")

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
 from cyclopts import Group
 from cyclopts import Parameter as Option
 
-from .. import catalog
+from ..designs.kinds import NOT_THIS_MEMBER
 from ..parameters import Declaration, FileName, Parameter, in_words
-
-NOT_THIS_MEMBER = "none"
-"""Stands for the value of the member of a pair that is to have none."""
 
 _TOPICS = 3  # after what all elements have
 
@@ -48,11 +45,6 @@ def offered(kinds: Mapping[str, Sequence[Declaration]]) -> dict[str, Offered]:
 def option_name(name: str) -> str:
     """The option of a parameter, as it is typed: "--face-width"."""
     return "--" + name.replace("_", "-")
-
-
-def teeth_given(kind: catalog.Element, name_of: Callable[[str], str] = option_name) -> str:
-    """What chooses a kind among those of one command; name_of gives what the user knows a parameter by."""
-    return f"{name_of('teeth')} with {'one number' if kind.members == 1 else 'two numbers'}"
 
 
 def signature_parameters(parameters: Mapping[str, Offered]) -> list[inspect.Parameter]:

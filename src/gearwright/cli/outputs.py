@@ -8,13 +8,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..compiled import telling
+from ..designs.built import Built
 from ..disk import folder
 from ..elements.assembly import PlacedPart, draw_parts, save_parts
 from ..elements.element import Element
 from ..elements.pair import Pair
 from ..elements.sheets import SheetLabels
 from ..solids.robots import save_mechanism
-from .built import Built
 from .common_options import PAPERS, Outputs
 
 

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from ..designs.built import Units
 from ..files.inertial import WRITERS, Inertial
 from ..solids.inertial import inertial_of
 from ..solids.properties import MassProperties
-from .built import Units
 from .json_output import json_line
 from .measuring import Measured, Question
 from .property_tables import COMPONENTS, bodies_list, properties_note, properties_table

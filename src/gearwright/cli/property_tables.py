@@ -10,8 +10,8 @@ from rich.markup import escape
 from rich.table import Table
 
 from ..arrays import Array
+from ..designs.built import Units
 from ..solids.properties import MassProperties
-from .built import Units
 from .tables import number, plain_table, power
 from .views import FILE_AXES, View
 

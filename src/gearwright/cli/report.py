@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from rich.table import Table
 
+from ..designs.built import Built, Units
 from ..parameters import Size, unit_text
 from ..solids.properties import MassProperties
-from .built import Built, Units
 from .property_tables import properties_note, properties_table
 from .tables import number, plain_table, show
 

@@ -1,40 +1,18 @@
-"""`gearwright schema`: what a design file may hold, as JSON Schema (draft 2020-12)."""
+"""`gearwright schema`: what a design file may hold, as JSON Schema."""
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import Parameter as Option
 
-from .. import catalog
+from ..designs.kinds import commands
+from ..designs.schema import design_schema
 from ..errors import Problem, ProblemsError
-from ..parameters import (
-    MOST,
-    Declaration,
-    FileName,
-    Form,
-    Numbers,
-    Parameter,
-    Points,
-    Several,
-    Table,
-    Text,
-    did_you_mean,
-)
-from .design import ELEMENT
+from ..parameters import did_you_mean
 from .exits import DONE
-from .kinds import kinds_of, parameters_of
-from .options import NOT_THIS_MEMBER
-
-Schema = dict[str, Any]
-
-_DIALECT = "https://json-schema.org/draft/2020-12/schema"
-_UNITS = {"length": "length_unit", "angle": "deg", "mm": "mm", "per inch": "1/in"}
-_NUMBER: Schema = {"type": "number"}
-
 
 ONE = Option(metavar="ELEMENT", help="One element's name; all of them if not given.")
 
@@ -47,102 +25,11 @@ def schema(
 
     It says which keys there are, their types, limits, units and defaults; what goes together only building finds out.
     """
-    commands = list(dict.fromkeys(kind.command for kind in catalog.ELEMENTS))
-    if element is not None and element not in commands:
-        hint = did_you_mean(element, commands)
-        problem = Problem(f"ELEMENT = {element!r}", f"choose one of {', '.join(commands)}{hint}")
+    known = commands()
+    if element is not None and element not in known:
+        hint = did_you_mean(element, known)
+        problem = Problem(f"ELEMENT = {element!r}", f"choose one of {', '.join(known)}{hint}")
         raise ProblemsError("There is no such element", [problem])
-    document = design_schema(commands if element is None else [element])
+    document = design_schema(known if element is None else [element])
     sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=True) + "\n")
     return DONE
-
-
-def design_schema(commands: list[str]) -> Schema:
-    """The schema of design files of the elements that these commands build."""
-    kinds = [_kind(kind) for command in commands for kind in kinds_of(command)]
-    if len(kinds) == 1:
-        return {"$schema": _DIALECT, **kinds[0]}
-    return {"$schema": _DIALECT, "title": "design of an element", "oneOf": kinds}
-
-
-def _kind(kind: catalog.Element) -> Schema:
-    entries = parameters_of(kind)
-    table = _table(entries)
-    return {
-        "title": kind.name,
-        "description": kind.summary,
-        **table,
-        "properties": {ELEMENT: {"const": kind.command}, **table["properties"]},
-        "required": [ELEMENT, *table["required"]],
-    }
-
-
-def _table(entries: tuple[Declaration, ...]) -> Schema:
-    return {
-        "type": "object",
-        "properties": {entry.name: _declaration(entry) for entry in entries},
-        "required": [entry.name for entry in entries if entry.required],
-        "additionalProperties": False,
-    }
-
-
-def _declaration(declaration: Declaration) -> Schema:
-    parameter = declaration.parameter
-    found: Schema = {"description": parameter.meaning + (f", {parameter.symbol}" if parameter.symbol else "")}
-    if parameter.unit:
-        found["x-unit"] = _UNITS[parameter.unit]
-    if not declaration.required and declaration.default is not None:
-        found["default"] = declaration.default
-    one = _values(parameter)
-    either = one if declaration.default is not None else {"anyOf": [one, {"const": NOT_THIS_MEMBER}]}
-    items = either if declaration.members == "both" else one
-    two = {"type": "array", "items": items, "minItems": 2, "maxItems": 2}
-    return {"one": one, "each": two, "both": {"anyOf": [one, two]}}[declaration.members] | found
-
-
-def _values(parameter: Parameter) -> Schema:
-    match parameter.kind:
-        case "choice":
-            return {"enum": list(parameter.choices)}
-        case "form":
-            forms = [_form(form) for form in parameter.forms]
-            return forms[0] if len(forms) == 1 else {"anyOf": forms}
-    count = len(parameter.components)
-    one = {"type": parameter.kind, **_limits(parameter)}
-    return {"type": "array", "items": one, "minItems": count, "maxItems": count} if count else one
-
-
-def _limits(parameter: Parameter) -> Schema:
-    maximum = MOST if parameter.maximum is None and parameter.is_length else parameter.maximum
-    named: Mapping[str, float | None] = {
-        "exclusiveMinimum": parameter.above,
-        "minimum": -MOST if parameter.is_length and parameter.is_signed else parameter.minimum,
-        "maximum": maximum,
-        "exclusiveMaximum": parameter.below,
-    }
-    return {name: limit for name, limit in named.items() if limit is not None}
-
-
-def _form(form: Form) -> Schema:
-    match form:
-        case FileName():
-            return {"type": "string", "minLength": 1, "description": form.words}
-        case Text():
-            return {"type": "string", "minLength": 1}
-        case Points():
-            count = len(form.coordinates)
-            point = {
-                "type": "array",
-                "items": {"type": "number", "minimum": -MOST, "maximum": MOST},
-                "minItems": count,
-                "maxItems": count,
-            }
-            return {"type": "array", "items": point, "minItems": form.least, "description": form.words}
-        case Numbers():
-            return {"type": "array", "items": _NUMBER, "minItems": 1, "maxItems": form.most, "description": form.words}
-        case Several():
-            return {"type": "array", "items": _form(form.of)}
-        case Table():
-            return _table(form.entries)
-        case _:
-            raise TypeError(f"no schema is known for {form!r}")

@@ -1,4 +1,4 @@
-"""Which kind of element is meant by a command's name and parameters, and that element."""
+"""Which kind of element is meant by an element's name and values, and that element."""
 
 from __future__ import annotations
 
@@ -8,7 +8,19 @@ from typing import Any
 from .. import catalog
 from ..errors import ParameterError, Problem
 from ..parameters import Declaration, declarations, from_mapping
-from .options import teeth_given
+
+NOT_THIS_MEMBER = "none"
+"""Stands for the value of the member of a pair that is to have none."""
+
+
+def commands() -> list[str]:
+    """The names that elements are built by, in the catalog's order."""
+    return list(dict.fromkeys(kind.command for kind in catalog.ELEMENTS))
+
+
+def teeth_given(kind: catalog.Element, name_of: Callable[[str], str]) -> str:
+    """What chooses a kind among those of one command; name_of gives what the user knows a parameter by."""
+    return f"{name_of('teeth')} with {'one number' if kind.members == 1 else 'two numbers'}"
 
 
 def kinds_of(command: str) -> list[catalog.Element]:

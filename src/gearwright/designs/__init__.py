@@ -1,0 +1,1 @@
+"""Designs: elements of the catalog as named values, and what is built from them. Every edge uses it."""
