@@ -341,6 +341,8 @@ test("a pinned design stays as it was, beside the one that changes", async (t) =
   await until(page, () => /20\u202f000/.test(document.querySelector(".comparison").textContent));
   assert.deepEqual(await row.locator("td").allTextContents(), ["20\u202f000", "16\u202f000", "4\u202f000.0", "mm³"]);
   assert.equal(server.sockets.length, 2);
+  await page.getByLabel("only what differs").check();
+  assert.deepEqual(await page.locator(".comparison tbody th").allTextContents(), ["Volume", "Mass"]);
   await page.getByRole("button", { name: "Leave the comparison" }).click();
   assert.equal(await page.locator(".pane").count(), 1);
   assert.equal(await page.getByRole("tab", { name: "Compared" }).count(), 0);
