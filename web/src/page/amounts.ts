@@ -6,7 +6,7 @@ import type { Document, LengthUnit, PartDocument, Properties } from "./protocol"
 // So many digits that count, thousands apart.
 export function told(value: number, digits = 4): string {
   if (value === 0 || !Number.isFinite(value)) return `${value}`;
-  const size = Math.floor(Math.log10(Math.abs(value)));
+  const size = Math.floor(Math.log10(Math.abs(Number(value.toPrecision(digits)))));
   if (size < -4 || size > 11) return value.toExponential(digits - 1).replace("e+", "e").replaceAll("-", "−");
   const text = Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - size));
   const [whole = "", part] = text.split(".");
@@ -16,7 +16,8 @@ export function told(value: number, digits = 4): string {
 
 // A length, an area, …: in the unit that is shown.
 export function inShown(value: number, power: number, from: LengthUnit, to: LengthUnit): number {
-  return from === to ? value : value * (to === "in" ? 1 / INCH : INCH) ** power;
+  if (from === to) return value;
+  return to === "in" ? value / INCH ** power : value * INCH ** power;
 }
 
 export const powerWord = (unit: LengthUnit, power: number) => `${unit}${["", "", "²", "³", "⁴", "⁵"][power] ?? ""}`;

@@ -57,26 +57,41 @@ function properties(part: PartDocument, unit: LengthUnit, put: (name: string, va
 }
 
 export class Comparison {
-  readonly element = element("div", { class: "comparison" });
+  private readonly differing = element("input", { type: "checkbox" });
+  private readonly tables = element("div");
+  readonly element = element("div", { class: "comparison" },
+    element("label", { class: "only" }, this.differing, " only what differs"), this.tables);
+  private given: [Document | null, Document | null, LengthUnit] = [null, null, "mm"];
+
+  constructor() {
+    this.differing.addEventListener("change", () => this.show(...this.given));
+  }
 
   show(a: Document | null, b: Document | null, unit: LengthUnit): void {
+    this.given = [a, b, unit];
     if (!a || !b) {
-      this.element.replaceChildren(element("p", { class: "hint" }, "Values follow."));
+      this.tables.replaceChildren(element("p", { class: "hint" }, "Values follow."));
       return;
     }
-    const all = lines(a, b, unit);
+    const all = lines(a, b, unit).filter((line) => !this.differing.checked || change(line) !== 0);
     const parts = [...new Set(all.map((line) => line.part))];
-    this.element.replaceChildren(...parts.map((part) => table(part, all.filter((line) => line.part === part))));
+    this.tables.replaceChildren(...parts.map((part) => table(part, all.filter((line) => line.part === part))),
+      ...(all.length ? [] : [element("p", { class: "hint" }, "Nothing differs.")]));
   }
+}
+
+// By how much they differ; null where one of them has no such thing. What rounding leaves is nothing.
+function change({ a, b }: Line): number | null {
+  if (a === null || b === null) return null;
+  return Math.abs(a - b) <= 1e-12 * Math.max(Math.abs(a), Math.abs(b)) ? 0 : a - b;
 }
 
 function table(part: string, lines: Line[]): HTMLElement {
   const head = ["", "A, being edited", "B, pinned", "A − B", "unit"].map((text) => element("th", { scope: "col" }, text));
   const rows = lines.map((line) => {
-    const [a, b] = [line.a, line.b];
-    const change = a === null || b === null ? null : Math.abs(a - b) <= 1e-12 * Math.max(Math.abs(a), Math.abs(b)) ? 0 : a - b;
-    const cells = [a, b, change].map((value) => element("td", {}, value === null ? "–" : value === 0 ? "0" : told(value, 5)));
-    if (change) cells[2]!.className = "changed";
+    const by = change(line);
+    const cells = [line.a, line.b, by].map((value) => element("td", {}, value === null ? "–" : value === 0 ? "0" : told(value, 5)));
+    if (by) cells[2]!.className = "changed";
     return element("tr", {}, element("th", { scope: "row" }, capital(line.name)), ...cells, element("td", { class: "unit" }, line.unit));
   });
   return element("table", {}, element("caption", {}, capital(part || "part")), element("thead", {}, element("tr", {}, ...head)),

@@ -1,6 +1,6 @@
 // The live connection: asks one design after the other, the newest first, and hands on answers to the newest alone.
 
-import { decodeMesh, type ModelFrame, Topologies } from "../scene/frame";
+import { decodeMesh, type ModelFrame, Topologies, TopologyMissing } from "../scene/frame";
 import type { About, Answer, Ask, Design } from "./protocol";
 
 export type Wish = { design: Design; density: number | null; material: string | null; about: About };
@@ -30,6 +30,7 @@ export class Connection {
   private timer = 0;
   private retry = RETRY.least;
   private closed = false;
+  private whole = false; // whether the next answer is to hold all topologies
 
   constructor(private readonly listener: Listener, private readonly address: () => string = live) {
     this.connect();
@@ -64,7 +65,8 @@ export class Connection {
     this.wish = null;
     this.underWay = true;
     this.id += 1;
-    const ask: Ask = { ask: "design", id: this.id, turn: 0, have: this.known.held(), ...wish };
+    const ask: Ask = { ask: "design", id: this.id, turn: 0, have: this.whole ? [] : this.known.held(), ...wish };
+    this.whole = false;
     this.socket.send(JSON.stringify(ask));
     this.after(PATIENCE);
   }
@@ -107,11 +109,23 @@ export class Connection {
     this.retry = Math.min(2 * this.retry, RETRY.most);
   }
 
+  // A topology that is not kept any more is asked for again.
+  private drawn(data: ArrayBuffer): void {
+    try {
+      this.listener.mesh(decodeMesh(data, this.known));
+      this.after(REST);
+    } catch (error) {
+      if (!(error instanceof TopologyMissing)) throw error;
+      this.wish ??= this.asked;
+      this.whole = true;
+      this.next();
+    }
+  }
+
   private took(data: string | ArrayBuffer): void {
     if (data instanceof ArrayBuffer) {
       if (idOf(data) !== this.id) return;
-      this.listener.mesh(decodeMesh(data, this.known));
-      this.after(REST);
+      this.drawn(data);
       return;
     }
     const answer = JSON.parse(data) as Answer;

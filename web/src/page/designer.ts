@@ -148,16 +148,15 @@ export class Designer {
     this.settle();
     this.seen.set(this.kind.name, this.state.design);
     const design = this.seen.get(kind.name) ?? startOf(kind, this.kind, this.state.design);
-    this.go({ ...this.state, design });
-    this.publish("push");
+    this.go({ ...this.state, design }, "push");
     this.settle();
   }
 
   // Shows a state that did not come from the form.
-  private go(state: State): void {
+  private go(state: State, how: "replace" | "push" = "replace"): void {
     this.state = state;
     this.show();
-    this.publish("replace");
+    this.publish(how);
   }
 
   private show(): void {

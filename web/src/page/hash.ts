@@ -61,7 +61,15 @@ const NUMBER = /^-?\d+(\.\d+)?(e[+-]?\d+)?$/i;
 // A number or a word as it is, numbers with commas, all else as JSON.
 function textOf(value: Value): string {
   const text = simple(value);
-  return text !== null && same(valueOf(text), value) ? text : JSON.stringify(value);
+  return text !== null && comesBack(text, value) ? text : JSON.stringify(value);
+}
+
+function comesBack(text: string, value: Value): boolean {
+  try {
+    return same(valueOf(text), value);
+  } catch {
+    return false; // it begins as JSON does, and is none
+  }
 }
 
 function simple(value: Value): string | null {

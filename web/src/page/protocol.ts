@@ -131,7 +131,8 @@ export interface Surface {
   name: string;
   kind: "pitch" | "base" | "face" | "root" | "tip";
   form: "cone" | "cylinder" | "plane";
-  half_angle?: number;
+  half_angle?: number; // degrees
+  apex?: number; // of a cone, along the part's axis
   radius?: number;
   least?: number;
   most?: number;
@@ -143,7 +144,7 @@ export interface OverlaysAnswer {
   answer: "overlays";
   id: number;
   bodies: { name: string; surfaces: Surface[] }[];
-  lines: { name: string; points: Point[][] }[];
+  lines: { name: string; pitch: number; steps: Point[][][] }[]; // where it touches over a pitch of so many degrees
 }
 export interface DoneAnswer { answer: "done"; id: number; seconds: number }
 export interface RefusedAnswer { answer: "refused"; id: number; headline: string; problems: Problem[] }
@@ -162,7 +163,7 @@ export interface PlotData {
   lines: { name: string; x: (number | null)[]; y: (number | null)[]; style: "solid" | "dashed" | "points" }[]; // null: a gap
   log: "none" | "both";
   notes: string[];
-  window: [number, number, number, number] | null; // least and greatest x and y that are looked at first
+  window: [number, number, number, number] | null; // least and most x, least and most y that are looked at first
 }
 
 export interface FileWish {

@@ -15,3 +15,5 @@ export function decodeMesh(data: ArrayBuffer, _known: Topologies): ModelFrame {
   const length = new DataView(data).getUint32(0, true);
   return JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length))) as ModelFrame;
 }
+
+export class TopologyMissing extends Error {}

@@ -20,14 +20,13 @@ export function bevel(marked: string): SVGSVGElement {
 
 export function spiral(marked: string): SVGSVGElement {
   return new Pen("The crown gear: a tooth trace cut by a cutter of given radius at the spiral angle", marked)
-    .body("M20 160A180 180 0 0 1 140 22L164 76A120 120 0 0 0 82 160Z")
-    .line("M62 66Q100 88 122 104")
-    .circle([192, -6], 130, "thin")
-    .centre("M200 160L60 66")
-    .thin("M91 87L30 62")
-    .angle([200, 160], 130, 146, 133, "", [])
-    .angle([91, 87], 46, 146, 160, "β_m", ["spiral_angle", "hand", "trace"], [-26, 2])
-    .length([192, 6], [104, 91], "r_c0", ["cutter_radius", "blade_groups"], [6, 8])
+    .body("M34 160A166 166 0 0 1 143.2 4L167.9 71.7A94 94 0 0 0 106 160Z")
+    .line("M75.7 50.3A143 143 0 0 0 116 118")
+    .circle([214, 14], 143, "thin")
+    .centre("M200 160L50 60")
+    .thin("M91 87L52 22")
+    .angle([91, 87], 60, 146, 121, "β_m", ["spiral_angle", "hand", "trace"], [-14, -6])
+    .length([214, 14], [91, 87], "r_c0", ["cutter_radius", "blade_groups"], [14, -2])
     .note([200, 160], [222, 150], "apex", [])
     .svg;
 }

@@ -3,7 +3,7 @@
 import { Pen } from "./pen";
 
 export function blank(marked: string): SVGSVGElement {
-  return new Pen("Half an axial section of a gear: bore, hub, web, rim, face width", marked)
+  return new Pen("Half an axial section of a gear: bore, hub, web, rim, face width", marked, 280, 192)
     .body("M70 134H190V104H148V66H178V26H92V66H122V104H70Z")
     .line("M92 36H178")
     .centre("M30 164H250M114 84H156")
@@ -12,7 +12,7 @@ export function blank(marked: string): SVGSVGElement {
     .length([200, 164], [200, 134], "d_bore", ["bore", "keyway", "keyway_width", "keyway_depth"], [-40, 2])
     .length([220, 164], [220, 104], "d_h", ["hub_diameter"], [4, -2])
     .length([258, 164], [258, 66], "d_r", ["rim_diameter", "outer_diameter", "rack_height"], [-18, -8])
-    .length([70, 172], [190, 172], "l_h", ["hub_length"], [-46, -10])
+    .length([70, 172], [190, 172], "l_h", ["hub_length"], [-4, 14])
     .length([122, 94], [148, 94], "b_s", ["web_thickness"], [18, -2])
     .length([70, 118], [92, 118], "", ["hub_offset"])
     .note([135, 84], [46, 60], "holes", ["web_holes", "web_hole_diameter", "web_hole_circle"])

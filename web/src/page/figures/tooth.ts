@@ -23,12 +23,12 @@ export function tooth(marked: string): SVGSVGElement {
 export function shift(marked: string): SVGSVGElement {
   return new Pen("A gear and the rack that generates it, moved away from it by the profile shift", marked)
     .body("M0 20H280V62H232L214 112H172L154 62H126L108 112H66L48 62H0Z")
-    .line("M20 178A150 150 0 0 1 260 178")
-    .centre("M0 86H280M4 164A154 154 0 0 1 276 164")
+    .body("M22 180A178 178 0 0 1 258 180Z")
+    .centre("M0 86H280M10 161A190 190 0 0 1 270 161")
     .thin("M140 110H250M140 86H250")
     .length([244, 110], [244, 86], "x m", ["profile_shift", "centre_distance"], [5, 2])
-    .note([140, 110], [150, 150], "pitch circle", [])
-    .note([18, 86], [24, 136], "datum line of the rack", ["basic_rack"])
+    .note([98, 115], [112, 166], "pitch circle", [])
+    .note([14, 86], [6, 140], "datum", ["basic_rack"])
     .svg;
 }
 

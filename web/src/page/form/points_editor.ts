@@ -25,8 +25,8 @@ export function rowsOf(text: string, coordinates: string[], unit: "mm" | "in"): 
 
 // "1,5 2" and "1.5, 2" and "1.5,2" are all two numbers.
 function split(line: string, count: number): string[] {
-  const wide = line.split(/\s*;\s*|,?\s+/).filter(Boolean);
-  return wide.length === count ? wide : line.split(/\s*[,;]\s*|\s+/).filter(Boolean);
+  const ways = [/\s*;\s*/, /,?\s+/, /\s*[,;]\s*|\s+/].map((mark) => line.split(mark).filter(Boolean));
+  return ways.find((parts) => parts.length === count) ?? ways[2]!;
 }
 
 export function pointsEditor(form: Form & { form: "points" }, naming: Naming, context: Context, changed: Changed): Editor {

@@ -78,8 +78,11 @@ function converted(value: number, unit: string, wanted: Wanted): Quantity {
 
 const decimal = (text: string) => Number(text.replace(",", "."));
 
-// Without the last digits, which conversion spoils.
-export const rounded = (value: number) => Number(value.toPrecision(14));
+// Without the noise that a conversion leaves in the last digits of a number that has few.
+export function rounded(value: number): number {
+  const short = Number(value.toPrecision(12));
+  return Math.abs(short - value) <= 1e-14 * Math.abs(value) ? short : value;
+}
 
 // As a field shows it.
-export const shown = (value: number) => `${rounded(value)}`.replace(/^-/, "−").replace("e-", "e−");
+export const shown = (value: number) => `${Number(value.toPrecision(14))}`.replace(/^-/, "−").replace("e-", "e−");

@@ -23,8 +23,8 @@ export function range(parameter: Parameter, value: number | null, scale: number)
   const upper = parameter.maximum ?? parameter.below;
   const size = Math.abs(value ?? (typeof parameter.default === "number" ? parameter.default : 0));
   let [least, most] = USUAL[parameter.name] ?? spread(parameter, size, scale);
-  if (value !== null && value < least) least = outer(value);
-  if (value !== null && value > most) most = outer(value);
+  if (value !== null && value < least) least = value > 0 ? 0 : -up(-1.25 * value);
+  if (value !== null && value > most) most = value < 0 ? 0 : up(1.25 * value);
   if (lower !== null) least = Math.max(least, lower);
   if (upper !== null) most = Math.min(most, upper);
   const step = parameter.kind === "integer" ? 1 : nice((most - least) / SPEC);
@@ -45,8 +45,6 @@ function spread(parameter: Parameter, size: number, scale: number): [number, num
   most = up(most);
   return [signed ? -most : 0, most];
 }
-
-const outer = (value: number) => (value < 0 ? -up(-1.25 * value) : up(1.25 * value));
 
 // The next number of one digit and a half: 1, 1.5, 2, 2.5, 3, 4, …
 function up(value: number): number {
