@@ -12,6 +12,7 @@ export class Body {
   readonly placed = new three.Group(); // the body's own frame where it is now: what is fixed to the body hangs here
   readonly colour = new three.Color();
   solid!: Solid;
+  cutting: three.Plane | null = null;
   private readonly surface: three.MeshStandardMaterial | three.MeshLambertMaterial;
   private readonly faces: three.Mesh;
   private readonly lines: three.LineSegments;
@@ -71,6 +72,7 @@ export class Body {
 
   // Leaves out what lies beyond a plane; null shows all. An open surface has no inside to be hatched.
   cutBy(plane: three.Plane | null): void {
+    this.cutting = plane;
     const planes = plane ? [plane] : null;
     for (const part of this.parts()) (part.material as three.Material).clippingPlanes = planes;
     const capped = plane !== null && (this.solid as Solid | undefined)?.closed === true;
