@@ -21,9 +21,12 @@ export function inertia(spread: Spread, measure: Measure, unit: string, reach: n
     const half = measure === "radii" ? spread.radii[k]! * scale : (reach * spread.moments[k]!) / most;
     const way = new three.Vector3(...axis).multiplyScalar(half);
     const [tip, tail] = [centre.clone().add(way), centre.clone().sub(way)];
-    const text = label(told(spread, measure, k, shown), COLOUR);
+    group.add(strokes([...tail, ...tip], COLOUR, 2.5));
+    const same = [0, 1, 2].filter((other) => alike(spread.moments[other]!, spread.moments[k]!));
+    if (same[0] !== k) return; // told with the first of those that are as long
+    const text = label(told(spread, measure, same, shown), COLOUR);
     text.position.copy(tip);
-    group.add(strokes([...tail, ...tip], COLOUR, 2.5), text);
+    group.add(text);
   });
   const sign = centroidSign();
   sign.position.copy(centre);
@@ -32,9 +35,14 @@ export function inertia(spread: Spread, measure: Measure, unit: string, reach: n
   return group;
 }
 
-function told(spread: Spread, measure: Measure, k: number, shown: string): string {
-  if (measure === "radii") return `k${NUMBERS[k]} ${figures(spread.radii[k]! * factor(spread.unit, shown))} ${shown}`;
+const alike = (one: number, other: number) => Math.abs(one - other) <= 1e-9 * Math.max(one, other);
+
+// axes: those with this length
+function told(spread: Spread, measure: Measure, axes: number[], shown: string): string {
+  const names = axes.map((k) => `${measure === "radii" ? "k" : "I"}${NUMBERS[k]}`).join(" = ");
+  const k = axes[0]!;
+  if (measure === "radii") return `${names} ${figures(spread.radii[k]! * factor(spread.unit, shown))} ${shown}`;
   // without a density, mass is volume
   const unit = spread.massUnit === `${spread.unit}^3` ? `${spread.unit}⁵` : `${spread.massUnit}·${spread.unit}²`;
-  return `I${NUMBERS[k]} ${figures(spread.moments[k]!)} ${unit}`;
+  return `${names} ${figures(spread.moments[k]!)} ${unit}`;
 }

@@ -5,24 +5,24 @@ import type { Overlays, Values } from "./answers";
 import { spreadOf } from "./answers";
 import { Body } from "./body";
 import type { ModelFrame } from "./frame";
-import { graphics } from "./graphics";
+import { graphics, type Graphics } from "./graphics";
 import { along as direction, KEYS, listen } from "./keyboard";
 import { factor, readOut } from "./lengths";
+import { Legend } from "./legend";
 import { Marks } from "./marks";
 import "./model_view.css";
-import { check, element } from "./panel";
+import { element } from "./panel";
 import { Running } from "./running";
 import { ScaleBar } from "./scale_bar";
 import { Section } from "./section";
 import { SectionRow } from "./section_row";
 import { keepSizes } from "./sprites";
 import { Stage } from "./stage";
-import { along, discard, strokes } from "./strokes";
+import { ContactLines } from "./contact";
 import { Choices, speedRow, ViewPanel } from "./view_panel";
 
 const INK = { light: "#1b2026", dark: "#e8edf2" };
-const EDGES = { light: ["#1b2026", 0.75], dark: ["#05070a", 0.9] } as const;
-const CONTACT = "#d1242f";
+const EDGES: Record<string, [string, number]> = { light: ["#1b2026", 0.75], dark: ["#05070a", 0.9] };
 const [MUCH_LESS, MUCH_MORE] = [0.5, 1.5]; // of the size that was fitted into the view
 const WIDE = 700; // pixels that leave room for the panel beside the bodies
 const FREE = 16;
@@ -33,7 +33,7 @@ export class ModelView {
   private readonly stage: Stage | null;
   private readonly canvas: HTMLCanvasElement;
   private readonly caption = element("p", { class: "mv-title" });
-  private readonly legend = element("div", { class: "mv-legend", role: "group", "aria-label": "Bodies" });
+  private readonly legend = new Legend(() => this.stage?.draw());
   private readonly head: HTMLElement;
   private readonly foot: HTMLElement;
   private readonly notice = element("p", { class: "mv-notice", role: "status" });
@@ -44,13 +44,12 @@ export class ModelView {
   private readonly cutting: SectionRow | null = null;
   private readonly panel: ViewPanel | null = null;
   private readonly watch: ResizeObserver;
-  private readonly drawnBy = graphics();
-  private readonly hidden = new Set<string>();
+  private readonly drawnBy: Graphics;
   private readonly middle = new three.Vector3();
   private readonly listening = new AbortController();
   private bodies: Body[] = [];
   private marks: Marks[] = [];
-  private contact = new three.Group();
+  private readonly contact = new ContactLines();
   private frame: ModelFrame | null = null;
   private values: Values | null = null;
   private overlays: Overlays | null = null;
@@ -59,9 +58,11 @@ export class ModelView {
   private wanted: "mm" | "in" = "mm";
   private theme: "light" | "dark" = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 
-  constructor(host: HTMLElement, private readonly options: { label?: string } = {}) {
+  // drawnBy: what draws, where that is not to be found out
+  constructor(host: HTMLElement, private readonly options: { label?: string; drawnBy?: Graphics } = {}) {
+    this.drawnBy = options.drawnBy ?? graphics();
     this.canvas = element("canvas", { tabindex: "0", role: "img", "aria-label": `${options.label ?? "Model"}. ${KEYS}` });
-    this.head = element("div", { class: "mv-head" }, element("div", { class: "mv-what" }, this.caption, this.legend));
+    this.head = element("div", { class: "mv-head" }, element("div", { class: "mv-what" }, this.caption, this.legend.element));
     this.running = new Running(180, (degrees) => this.turnTo(degrees));
     this.running.rate = 6 * RPM;
     this.running.row.hidden = true;
@@ -93,6 +94,7 @@ export class ModelView {
     this.kind = kind;
     this.take(frame, stage.radius);
     this.section.contain(box, this.middle);
+    this.contact.group.position.copy(this.middle).negate();
     this.cutting?.refresh();
     this.caption.textContent = frame.title;
     this.canvas.setAttribute("aria-label", `${this.options.label ? `${this.options.label}: ` : ""}${frame.title}. ${KEYS}`);
@@ -118,7 +120,8 @@ export class ModelView {
 
   setOverlays(answer: Overlays | null): void {
     this.overlays = answer;
-    this.drawContact();
+    this.contact.show(answer?.lines ?? []);
+    this.turnTo(this.running.value());
     this.mark();
   }
 
@@ -145,6 +148,7 @@ export class ModelView {
     this.listening.abort();
     for (const mark of this.marks) mark.dispose();
     for (const body of this.bodies) body.dispose();
+    this.contact.show([]);
     this.stage?.dispose();
     this.root.remove();
   }
@@ -175,7 +179,7 @@ export class ModelView {
     this.head.append(panel.views);
     this.root.append(this.head, this.foot, this.scale.element, this.notice);
     stage.taken = () => this.taken();
-    stage.scene.add(this.contact);
+    stage.scene.add(this.contact.group);
     stage.onDraw = () => keepSizes(stage.scene, stage.unitsAPixel());
     stage.onDrawn = () => this.scale.show(stage.unitsAPixel());
     listen(stage, this.canvas, { look, run: () => this.frame?.turns != null && this.running.toggle() });
@@ -215,31 +219,13 @@ export class ModelView {
       }
       this.bodies[index]!.show(solid, this.middle, radius);
     });
-    this.name();
+    this.legend.show(this.bodies);
     this.dress();
-  }
-
-  private name(): void {
-    const names = this.bodies.map((body) => `${body.solid.name} ${body.colour.getHexString()}`).join();
-    for (const body of this.bodies) body.group.visible = !this.hidden.has(body.solid.name);
-    if (this.legend.dataset.names === names) return;
-    this.legend.dataset.names = names;
-    this.legend.replaceChildren(...(this.bodies.length < 2 ? [] : this.bodies).map((body) => {
-      const { name } = body.solid;
-      const swatch = element("i");
-      swatch.style.background = `#${body.colour.getHexString()}`;
-      return check([swatch, name], `Show ${name}`, !this.hidden.has(name), (on) => {
-        if (on) this.hidden.delete(name);
-        else this.hidden.add(name);
-        body.group.visible = on;
-        this.stage?.draw();
-      });
-    }));
   }
 
   private dress(): void {
     for (const body of this.bodies) {
-      body.showEdges(this.choices.edges, ...EDGES[this.theme]);
+      body.showEdges(this.choices.edges, ...EDGES[this.theme]!);
       body.setOpacity(this.choices.opacity);
     }
     this.stage?.draw();
@@ -270,7 +256,7 @@ export class ModelView {
 
   private turnTo(degrees: number): void {
     for (const body of this.bodies) body.turnTo(degrees);
-    this.contact.visible = this.choices.contact && Math.abs(degrees) < 1e-9;
+    this.contact.at(degrees, this.choices.contact);
     this.stage?.draw();
   }
 
@@ -278,16 +264,6 @@ export class ModelView {
   private toContact(): void {
     this.running.stop();
     this.running.set(0);
-  }
-
-  private drawContact(): void {
-    discard(this.contact);
-    const ends = (this.overlays?.lines ?? []).flatMap((line) => line.points.flatMap(along));
-    this.contact = new three.Group();
-    const from = ends.map((value, k) => value - this.middle.getComponent(k % 3));
-    if (from.length) this.contact.add(strokes(from, CONTACT, 3));
-    this.contact.visible = this.choices.contact && Math.abs(this.running.value()) < 1e-9;
-    this.stage?.scene.add(this.contact);
   }
 
   private taken(): [number, number, number, number] {

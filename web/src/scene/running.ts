@@ -64,7 +64,7 @@ export class Running {
 
   private name(): void {
     const name = this.last !== null ? "Stop" : this.still.matches ? "Turn on by 2°, on and on while held" : "Run";
-    this.play.textContent = this.last !== null ? "⏸" : this.still.matches ? "⏵|" : "▶";
+    this.play.textContent = this.last !== null ? "⏸" : this.still.matches ? "▸|" : "▶";
     this.play.setAttribute("aria-label", name);
     this.play.title = name;
   }

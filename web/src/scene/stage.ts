@@ -73,7 +73,7 @@ export class Stage {
     const fill = new three.DirectionalLight(0xdde8ff, plain ? 0.7 : 0.5);
     fill.position.set(1.0, 0.1, 0.8);
     this.camera.add(key, fill);
-    if (plain) this.scene.add(new three.AmbientLight(0xffffff, 0.75));
+    if (plain) this.scene.add(new three.AmbientLight(0xffffff, 1.2));
   }
 
   // Looks from a direction (none: the first one) and fits all bodies into the view.

@@ -47,7 +47,7 @@ export class ViewPanel {
     this.inertia = this.inertiaRows();
     this.panel = element("div", { class: "mv-panel" },
       this.tick("edges", "edges", "Sharp edges", actions.drawn),
-      element("div", { class: "row" }, element("span", { class: "name" }, "see through"), opacity.row),
+      element("div", { class: "row" }, element("span", { class: "name" }, "transparency"), opacity.row),
       section, speed,
       this.tick("axes of the parts", "axes", "Axes of the parts", actions.marked),
       this.inertia, this.contact, this.surfaces);
@@ -69,13 +69,13 @@ export class ViewPanel {
     if (this.shownKinds === sorted.join()) return; // so that none loses the focus
     this.shownKinds = sorted.join();
     this.surfaces.hidden = !sorted.length;
-    this.surfaces.replaceChildren(...sorted.map((kind) => this.kind(kind)));
+    this.surfaces.replaceChildren(element("span", {}, "reference surfaces"), ...sorted.map((kind) => this.kind(kind)));
   }
 
   private kind(kind: string): HTMLElement {
     const swatch = element("i");
     swatch.style.background = colourOf(kind);
-    return check([swatch, `${kind} surfaces`], `Show ${kind} surfaces`, this.choices.kinds.has(kind), (on) => {
+    return check([swatch, kind], `Show ${kind} surfaces`, this.choices.kinds.has(kind), (on) => {
       if (on) this.choices.kinds.add(kind);
       else this.choices.kinds.delete(kind);
       this.actions.marked();
