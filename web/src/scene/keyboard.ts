@@ -23,6 +23,7 @@ function handled(stage: Stage, event: KeyboardEvent, actions: { look: (d?: three
   };
   const arrow = arrows[event.key];
   if (arrow) {
+    stage.touched = true;
     if (event.shiftKey) shift(stage, arrow);
     else turn(stage, arrow);
     return true;
@@ -57,6 +58,7 @@ function shift(stage: Stage, [right, up]: [number, number]): void {
 }
 
 function zoom(stage: Stage, factor: number): boolean {
+  stage.touched = true;
   stage.camera.zoom *= factor;
   stage.camera.updateProjectionMatrix();
   stage.draw();

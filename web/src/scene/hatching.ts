@@ -16,13 +16,13 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-export function hatched(colour: three.Color, index: number): three.ShaderMaterial {
-  const pale = colour.clone().lerp(new three.Color(1, 1, 1), 0.45);
+// The colour is set where the body's is known.
+export function hatched(index: number): three.ShaderMaterial {
   return new three.ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: {
-      colour: { value: pale },
+      colour: { value: new three.Color() },
       slope: { value: index % 2 ? -1 : 1 },
       spacing: { value: 11 * Math.min(window.devicePixelRatio, 2) },
     },

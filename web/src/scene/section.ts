@@ -9,13 +9,18 @@ export class Section {
   axis: Axis | null = null;
   flipped = false;
   readonly plane = new three.Plane();
+  private readonly box = new three.Box3();
+  private readonly middle = new three.Vector3();
 
-  // box: what the bodies take, about the middle
-  constructor(private readonly box: three.Box3, private readonly middle: three.Vector3) {}
+  // box: what the bodies take in the scene; middle: what has become the origin
+  contain(box: three.Box3, middle: three.Vector3): void {
+    this.box.copy(box);
+    this.middle.copy(middle);
+  }
 
-  // From where to where, in the frame of the part.
+  // From where to where, in the frame of the scene.
   limits(axis: Axis): [number, number] {
-    return [this.box.min[axis] + this.middle[axis], this.box.max[axis] + this.middle[axis]];
+    return [this.box.min[axis], this.box.max[axis]];
   }
 
   // Takes away the side of the eye, so that the cut is seen.

@@ -41,7 +41,7 @@ export function choice(label: string, options: Record<string, string>, changed: 
 // told: the value as a person reads it
 export function slider(label: string, told: (value: number) => string, changed: (value: number) => void): Slider {
   const input = element("input", { type: "range", "aria-label": label });
-  const output = element("output");
+  const output = element("output", { "aria-live": "off" }); // the slider itself says its value
   const tell = () => {
     output.textContent = told(input.valueAsNumber);
     input.setAttribute("aria-valuetext", told(input.valueAsNumber));

@@ -5,13 +5,19 @@ export class ScaleBar {
   private readonly bar = document.createElement("span");
   private readonly text = document.createElement("span");
 
-  constructor(private readonly unit: string) {
+  // factor: a length of the scene, by so much, is one in that unit
+  constructor(private unit: string, private factor = 1) {
     this.element.className = "scale";
     this.bar.className = "bar";
     this.element.append(this.bar, this.text);
   }
 
-  show(unitsAPixel: number): void {
+  readIn(unit: string, factor: number): void {
+    Object.assign(this, { unit, factor });
+  }
+
+  show(unitsOfSceneAPixel: number): void {
+    const unitsAPixel = unitsOfSceneAPixel * this.factor;
     const length = roundLength(130 * unitsAPixel);
     this.bar.style.width = `${length / unitsAPixel}px`;
     this.text.textContent = `${Number(length.toPrecision(3))} ${this.unit}`;
