@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 from .files.formats import FILE_FORMATS, FileFormat
 from .sources import Source, load
@@ -22,6 +22,8 @@ class Element:
     running   what tells how it runs: a function of the element that gives values by name, if there is one
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
+    lines     what tells the lines along which a pair touches over a pitch: a function of the element and how many steps
+    start     values of a good example, to begin a design with
     plane     whether it has a plane section, which can be drawn
     """
 
@@ -32,9 +34,11 @@ class Element:
     origin: str
     members: Literal[1, 2] = 1
     settled: Mapping[str, str] = field(default_factory=dict)
+    start: Mapping[str, Any] = field(default_factory=dict)
     plane: bool = False
     diagram: Source | None = None
     running: Source | None = None
+    lines: Source | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +50,9 @@ class Motion:
     source: Source
 
 
+_SIZES = {"module": 2.0, "face_width": 16.0}
+"""Of the gears that designs begin with."""
+
 ELEMENTS = (
     Element(
         name="bevel gear",
@@ -53,6 +60,7 @@ ELEMENTS = (
         source="gearwright.elements.bevel.bevel_gear:BevelGear",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
+        start={"teeth": 16, "mate_teeth": 24, "module": 4.0, "face_width": 20.0},
     ),
     Element(
         name="bevel pair",
@@ -60,9 +68,11 @@ ELEMENTS = (
         source="gearwright.elements.bevel.bevel_pair:BevelPair",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
+        start={"teeth": (16, 24), "module": 4.0, "face_width": 20.0, "trace": "logarithmic", "spiral_angle": 35.0},
         members=2,
         diagram="gearwright.contact.diagram:draw",
         running="gearwright.contact.running:running",
+        lines="gearwright.contact.lines:lines_over_a_pitch",
     ),
     *(
         Element(
@@ -73,15 +83,17 @@ ELEMENTS = (
             origin="on the part's axis, +z, at one end of the teeth; of a rack as for one alone",
             members=2,
             settled={"kind": kind},
+            start={**_SIZES, **start},
             plane=True,
+            lines="gearwright.contact.plane_of_action:lines_over_a_pitch",
         )
-        for kind, summary in {
-            "spur": "two spur gears in mesh",
-            "helical": "two helical gears in mesh",
-            "herringbone": "two herringbone gears in mesh",
-            "internal": "a pinion in an internal gear",
-            "rack": "a pinion on a rack",
-        }.items()
+        for kind, summary, start in (
+            ("spur", "two spur gears in mesh", {"teeth": (17, 40), "bore": (8.0, 16.0)}),
+            ("helical", "two helical gears in mesh", {"teeth": (17, 40), "helix_angle": 20.0, "bore": (8.0, 16.0)}),
+            ("herringbone", "two herringbone gears in mesh", {"teeth": (17, 40), "helix_angle": 30.0}),
+            ("internal", "a pinion in an internal gear", {"teeth": (18, 54), "bore": (8.0, None)}),
+            ("rack", "a pinion on a rack", {"teeth": (18, 14), "bore": (8.0, None)}),
+        )
     ),
     Element(
         name="herringbone gear",
@@ -89,6 +101,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.herringbone_gear:HerringboneGear",
         command="herringbone",
         origin="on the axis, +z, at one end of the teeth",
+        start={**_SIZES, "teeth": 24, "helix_angle": 30.0, "bore": 12.0},
         plane=True,
     ),
     Element(
@@ -97,6 +110,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.helical_gear:HelicalGear",
         command="helical",
         origin="on the axis, +z, at one end of the teeth",
+        start={**_SIZES, "teeth": 24, "helix_angle": 20.0, "bore": 12.0},
         plane=True,
     ),
     Element(
@@ -105,6 +119,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.internal_gear:InternalGear",
         command="internal",
         origin="on the axis, +z, at one end of the teeth",
+        start={**_SIZES, "teeth": 54},
         plane=True,
     ),
     Element(
@@ -113,6 +128,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.rack:Rack",
         command="rack",
         origin="on the pitch plane, below the tip of the first tooth, at one end of the teeth; +x is up",
+        start={**_SIZES, "teeth": 14},
         plane=True,
     ),
     Element(
@@ -121,6 +137,7 @@ ELEMENTS = (
         source="gearwright.elements.cylindrical.spur_gear:SpurGear",
         command="spur",
         origin="on the axis, +z, at one end of the teeth",
+        start={**_SIZES, "teeth": 24, "bore": 12.0},
         plane=True,
     ),
     Element(
@@ -130,6 +147,7 @@ ELEMENTS = (
         command="sweep",
         origin="the section's, where a straight sweep along +z starts; that of the path's points; for a revolution on"
         " its axis, +z",
+        start={"section": {"rectangle": (30.0, 12.0)}, "length": 60.0, "twist": 90.0},
         plane=True,
     ),
     Element(
@@ -138,6 +156,17 @@ ELEMENTS = (
         source="gearwright.elements.cams.cam:Cam",
         command="cam",
         origin="on the axis, +z, at one face of the disk; the follower starts on +x",
+        start={
+            "programme": "dwell 36, rise 72, dwell 144, return 108",
+            "follower": "translating-roller",
+            "lift": 12.0,
+            "base_radius": 25.0,
+            "roller_radius": 8.0,
+            "offset": 4.0,
+            "law": "4-5-6-7",
+            "thickness": 12.0,
+            "bore": 16.0,
+        },
         diagram="gearwright.elements.cams.diagram:draw",
         plane=True,
     ),

@@ -111,7 +111,7 @@ class _Tessellation:
             u, v = np.meshgrid(np.arange(1, columns) / columns, np.arange(1, layers) / layers, indexing="ij")
             points = patch.point(u, v).reshape(-1, 3)
             grid[:, 1:-1, 1:-1] = self._number(points, patch.pattern).reshape(order, columns - 1, layers - 1)
-        triangles = _cut(grid, self._diagonals)
+        triangles = grid_triangles(grid, self._diagonals)
         distinct = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)
         return triangles[distinct]
 
@@ -132,7 +132,7 @@ class _Tessellation:
         return numbers[::-1] if loop.reverse else numbers
 
 
-def _cut(grid: Indices, diagonals: Diagonals) -> Indices:
+def grid_triangles(grid: Indices, diagonals: Diagonals = "alternating") -> Indices:
     """Triangles (m, 3) of grids of numbers (k, columns + 1, layers + 1); diagonals alternate both ways, or never."""
     a, b = grid[:, :-1, :-1], grid[:, 1:, :-1]
     d, c = grid[:, :-1, 1:], grid[:, 1:, 1:]

@@ -124,6 +124,18 @@ def triangulate_chart(surface: Surface, loops: Sequence[Array], tolerance: float
     spacing = spacing_along(border, constraints)
     grading = Grading(surface=surface, tolerance=tolerance, border=border, spacing=spacing, holes=loops[1:])
     inner = _clear_of_sides(grading, grading.points(), constraints)
+    return _refined(surface, loops, inner, tolerance)
+
+
+def triangulate_sparsely(surface: Surface, loops: Sequence[Array], tolerance: float) -> tuple[Array, Indices]:
+    """As `triangulate_chart`, with inner points only where the tolerance needs them: quick, and full of slivers."""
+    require_possible(surface, loops[0], tolerance)
+    return _refined(surface, loops, np.empty((0, 2)), tolerance)
+
+
+def _refined(surface: Surface, loops: Sequence[Array], inner: Array, tolerance: float) -> tuple[Array, Indices]:
+    """Inner points (k, 2) with others where triangles would be beyond the tolerance, and the triangles (m, 3)."""
+    border, constraints = np.concatenate(loops), closed_chains([len(loop) for loop in loops])
     for _ in range(_ROUNDS):
         points = np.concatenate([border, inner])
         triangles = _delaunay(points, constraints)

@@ -13,6 +13,8 @@ from .mesh import Side, mesh_of
 from .path import ContactPath
 from .search import stretches
 
+_DRAWN = 17  # points of a line that is drawn
+
 
 @dataclass(frozen=True, kw_only=True)
 class ContactLine:
@@ -56,6 +58,13 @@ def contact_lines(
         )
         raise GeometryError("Lines of contact cannot be found", [given])
     return lines_at(ContactPath(mesh=mesh_of(pair), side=side), float(np.radians(turn)), samples)
+
+
+def lines_over_a_pitch(pair: BevelPair, steps: int) -> tuple[list[list[Array]], float]:
+    """Points of the lines at so many turns over one pitch of the pinion, and that pitch in degrees."""
+    path, pitch = ContactPath(mesh=mesh_of(pair), side="drive"), 360.0 / pair.teeth[0]
+    turns = np.radians(pitch) * np.arange(steps) / steps
+    return [[line.points for line in lines_at(path, float(turn), _DRAWN)] for turn in turns], pitch
 
 
 def contact_ratios(pair: BevelPair, side: Side = "drive") -> ContactRatios:

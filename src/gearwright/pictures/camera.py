@@ -111,13 +111,17 @@ def _rotation(view: View) -> Array:
 
 
 def suitable_view(bodies: Sequence[tuple[Array, Indices]]) -> View:
-    """A view that shows the working faces of bodies given as (vertices, triangles).
+    """A view that shows the working faces of bodies given as (vertices, triangles); see `view_of`."""
+    return view_of([_shape(vertices, triangles) for vertices, triangles in bodies])
+
+
+def view_of(shapes: Sequence[Shape]) -> View:
+    """A view that shows the working faces of bodies.
 
     A round body lies with its axis upright, teeth up where it tapers like a bevel gear. Of two whose axes meet, the
     larger lies so, and the eye is on the side where the axes meet, which both bodies' teeth face. Anything else is
     seen from above +z.
     """
-    shapes = [_shape(vertices, triangles) for vertices, triangles in bodies]
     largest = max(range(len(shapes)), key=lambda index: shapes[index].size)
     towards = _towards_apex(shapes) if len(shapes) == 2 else None
     if towards is None:
@@ -134,7 +138,7 @@ def suitable_view(bodies: Sequence[tuple[Array, Indices]]) -> View:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Shape:
+class Shape:
     """A body's middle, its axis (up) and whether it is round about it; its size (root mean square)."""
 
     middle: Array
@@ -143,7 +147,7 @@ class _Shape:
     size: float
 
 
-def _towards_apex(shapes: Sequence[_Shape]) -> tuple[Array, Array] | None:
+def _towards_apex(shapes: Sequence[Shape]) -> tuple[Array, Array] | None:
     """Axes of two round bodies, turned towards the point where they meet; None if they do not meet."""
     first, second = shapes
     normal = np.cross(first.axis, second.axis)
@@ -157,7 +161,7 @@ def _towards_apex(shapes: Sequence[_Shape]) -> tuple[Array, Array] | None:
     return first.axis * (1.0 if s > 0 else -1.0), second.axis * (1.0 if t > 0 else -1.0)
 
 
-def _shape(vertices: Array, triangles: Indices) -> _Shape:
+def _shape(vertices: Array, triangles: Indices) -> Shape:
     """A body's axis from its surface: where two principal second moments agree, the third axis; else +z."""
     corners = vertices[triangles]
     points = corners.mean(axis=1)
@@ -170,9 +174,9 @@ def _shape(vertices: Array, triangles: Indices) -> _Shape:
     size = float(np.sqrt(second.sum()))
     low, high = second[1] - second[0], second[2] - second[1]
     if min(low, high) > 0.02 * second[2]:
-        return _Shape(middle=middle, axis=np.array([0.0, 0.0, 1.0]), is_round=False, size=size)
+        return Shape(middle=middle, axis=np.array([0.0, 0.0, 1.0]), is_round=False, size=size)
     axis = axes[:, 2] if low < high else axes[:, 0]
-    return _Shape(middle=middle, axis=axis * _up_sign(points, normals, axis), is_round=True, size=size)
+    return Shape(middle=middle, axis=axis * _up_sign(points, normals, axis), is_round=True, size=size)
 
 
 def _up_sign(points: Array, normals: Array, axis: Array) -> float:

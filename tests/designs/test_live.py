@@ -1,0 +1,83 @@
+"""What a page is told of a design: the shape first, then the values of the command line; refusals before anything."""
+
+import json
+
+import pytest
+
+from gearwright import catalog
+from gearwright.designs.forms import kind_forms
+from gearwright.designs.live import answers
+from gearwright.errors import ParameterError, ProblemsError
+
+from ..viewer.frames import read
+
+FORMS = {form["name"]: form for form in kind_forms()}
+
+
+def start(name):
+    """As a browser would send it."""
+    return json.loads(json.dumps(FORMS[name]["start"]))
+
+
+@pytest.mark.parametrize("kind", catalog.ELEMENTS, ids=lambda kind: kind.name)
+def test_every_kind_has_an_example_to_begin_with_and_is_told_whole(kind):
+    mesh, values, overlays, approximation = answers({"design": start(kind.name), "material": "steel"})
+    header, bodies = read(mesh)
+    assert header["answer"] == "mesh"
+    assert list(bodies) == (["pinion", "gear"] if kind.members == 2 else [kind.name])
+    assert [one["answer"] for one in (values, overlays, approximation)] == ["values", "overlays", "approximation"]
+    json.dumps([values, overlays, approximation], allow_nan=False)
+    parts = values["document"] if kind.members == 2 else {kind.name: values["document"]}
+    for name in bodies:
+        properties = parts[name]["properties"]
+        assert properties["mass"] == pytest.approx(7.85e-6 * properties["volume"])
+        assert approximation["parts"][name]["volume"] == pytest.approx(properties["volume"], rel=1e-3)
+        assert 0 < approximation["errors"][name]["volume"] < 1e-3
+    assert [one["name"] for one in overlays["bodies"]] == list(bodies)
+    assert bool(overlays["lines"]) == (kind.members == 2)
+
+
+def test_the_pair_turns_as_its_teeth_say():
+    pair = start("spur pair")
+    header, _ = read(next(answers({"design": pair})))
+    pinion, gear = header["bodies"]
+    assert (pinion["spin"], gear["spin"]) == pytest.approx((1, -17 / 40))
+    rack, _ = read(next(answers({"design": start("rack and pinion")})))
+    assert rack["bodies"][1]["spin"] == 0
+    assert any(rack["bodies"][1]["slide"])
+
+
+def test_cones_and_cylinders_are_the_sizes():
+    found = list(answers({"design": start("bevel pair")}))
+    pinion = found[2]["bodies"][0]
+    sizes = found[1]["document"]["pinion"]["sizes"]
+    angles = {one["kind"]: one["half_angle"] for one in pinion["surfaces"]}
+    assert angles["pitch"] == pytest.approx(33.690067525979785)
+    assert angles["root"] < angles["base"] < angles["pitch"] < angles["face"] == sizes["face_angle"]["value"]
+    found = list(answers({"design": start("spur gear")}))
+    radii = {one["kind"]: one["radius"] for one in found[2]["bodies"][0]["surfaces"]}
+    assert radii["pitch"] == 24
+    assert radii["tip"] == 26
+    assert all(one["least"] == pytest.approx(0, abs=1e-9) for one in found[2]["bodies"][0]["surfaces"])
+
+
+def test_what_cannot_be_built_is_refused_before_anything_is_told():
+    with pytest.raises(ProblemsError, match="face_width"):
+        next(answers({"design": {**start("bevel pair"), "face_width": 90}}))
+    with pytest.raises(ProblemsError, match="names no element"):
+        next(answers({"design": {"element": "spurr"}}))
+    with pytest.raises(ParameterError, match="greater than 0"):
+        next(answers({"design": start("spur gear"), "density": -1}))
+    with pytest.raises(ParameterError, match="no such one"):
+        next(answers({"design": start("spur gear"), "material": "stel"}))
+
+
+def test_forms_name_every_parameter_of_the_catalog_and_can_be_sent():
+    text = json.dumps(kind_forms(), allow_nan=False)
+    for kind in catalog.ELEMENTS:
+        names = {one["name"] for one in FORMS[kind.name]["parameters"]}
+        assert set(kind.start) <= names
+        assert set(kind.settled).isdisjoint(names)
+    assert '"only": {"kind"' not in text
+    assert {one["suffix"] for one in FORMS["bevel gear"]["formats"] if one["what"] == "drawing"} == set()
+    assert {one["suffix"] for one in FORMS["cam"]["formats"] if one["needs_density"]} >= {".urdf", ".sdf", ".mjcf"}
