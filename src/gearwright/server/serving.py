@@ -10,7 +10,7 @@ import signal
 import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import uvicorn
@@ -84,13 +84,22 @@ def _problem(error: OSError, host: str, port: int) -> Problem:
 
 
 def serve(at: Bound, ready: Callable[[], None]) -> None:
-    """Serves until SIGINT or SIGTERM. ready   called once requests are taken"""
+    """Serves until SIGINT or SIGTERM. ready   called once requests are taken
+
+    Raises MachineError where it cannot start.
+    """
+    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token), ready)
+    with _quiet_signals():
+        server.run(sockets=[at.listener])
+    if not server.started:
+        raise MachineError("The server did not start; GEARWRIGHT_DEBUG=1 before the command shows why")
+
+
+def server_of(settings: Settings, ready: Callable[[], None]) -> uvicorn.Server:
+    """A server that is not yet run. ready   called once requests are taken"""
     holder: list[uvicorn.Server] = []
-    settings = Settings(
-        host=at.names.host, port=at.names.port, token=at.token, abort=lambda websocket: _abort(holder[0], websocket)
-    )
     config = uvicorn.Config(
-        application(settings),
+        application(replace(settings, abort=lambda websocket: _abort(holder[0], websocket))),
         lifespan="on",
         ws="websockets-sansio",
         ws_max_size=JSON_BYTES,
@@ -106,10 +115,7 @@ def serve(at: Bound, ready: Callable[[], None]) -> None:
         logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL + 1)
     server = _Server(config, ready)
     holder.append(server)
-    with _quiet_signals():
-        server.run(sockets=[at.listener])
-    if not server.started:
-        raise MachineError("The server did not start; GEARWRIGHT_DEBUG=1 before the command shows why")
+    return server
 
 
 @contextmanager
