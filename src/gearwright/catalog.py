@@ -9,7 +9,16 @@ from typing import Any, Literal
 from .files.formats import FILE_FORMATS, FileFormat
 from .sources import Source, load
 
-__all__ = ["ELEMENTS", "FILE_FORMATS", "MOTIONS", "Element", "FileFormat", "Motion", "Source", "load"]
+__all__ = ["ELEMENTS", "FILE_FORMATS", "MOTIONS", "Element", "FileFormat", "Motion", "Plot", "Source", "load"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plot:
+    """A chart that is made of an element. source   a function of the element that gives a Chart"""
+
+    name: str
+    title: str
+    source: Source
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,6 +34,7 @@ class Element:
     lines     what tells the lines along which a pair touches over a pitch: a function of the element and how many steps
     start     values of a good example, to begin a design with
     plane     whether it has a plane section, which can be drawn
+    plots     the charts that a page shows of it
     """
 
     name: str
@@ -38,6 +48,7 @@ class Element:
     plane: bool = False
     diagram: Source | None = None
     running: Source | None = None
+    plots: tuple[Plot, ...] = ()
     lines: Source | None = None
 
 
@@ -50,6 +61,32 @@ class Motion:
     source: Source
 
 
+_CONVERGENCE = Plot(
+    name="convergence", title="Errors of polyhedra", source="gearwright.elements.convergence_chart:convergence"
+)
+_TEETH = (
+    Plot(name="profile", title="Transverse profile", source="gearwright.elements.cylindrical.charts:profile"),
+    _CONVERGENCE,
+)
+_BEVEL_TEETH = (
+    Plot(
+        name="profile", title="Tooth profile on the mean back cone", source="gearwright.elements.bevel.charts:profile"
+    ),
+    Plot(name="spiral-angle", title="Spiral angle along the face", source="gearwright.elements.bevel.charts:spiral"),
+)
+_RUNNING = (
+    Plot(name="transmission-error", title="Transmission error", source="gearwright.contact.charts:errors"),
+    Plot(name="contact-lines", title="Lines of contact", source="gearwright.contact.charts:contact_lines"),
+    Plot(name="contact-length", title="Length of the lines of contact", source="gearwright.contact.charts:lengths"),
+)
+_CAM = (
+    Plot(name="profile", title="Disk and follower", source="gearwright.elements.cams.charts:profile"),
+    Plot(name="cam-displacement", title="Displacement", source="gearwright.elements.cams.charts:displacement"),
+    Plot(name="cam-velocity", title="Velocity", source="gearwright.elements.cams.charts:velocity"),
+    Plot(name="cam-acceleration", title="Acceleration", source="gearwright.elements.cams.charts:acceleration"),
+    Plot(name="pressure-angle", title="Pressure angle", source="gearwright.elements.cams.charts:pressure_angle"),
+    Plot(name="curvature-radius", title="Radius of curvature", source="gearwright.elements.cams.charts:curvature"),
+)
 _SIZES = {"module": 2.0, "face_width": 16.0}
 """Of the gears that designs begin with."""
 
@@ -60,6 +97,7 @@ ELEMENTS = (
         source="gearwright.elements.bevel.bevel_gear:BevelGear",
         command="bevel",
         origin="the apex of the part's cones; +z is its axis, towards the body",
+        plots=(*_BEVEL_TEETH, _CONVERGENCE),
         start={"teeth": 16, "mate_teeth": 24, "module": 4.0, "face_width": 20.0},
     ),
     Element(
@@ -72,6 +110,7 @@ ELEMENTS = (
         members=2,
         diagram="gearwright.contact.diagram:draw",
         running="gearwright.contact.running:running",
+        plots=(*_BEVEL_TEETH, *_RUNNING, _CONVERGENCE),
         lines="gearwright.contact.lines:lines_over_a_pitch",
     ),
     *(
@@ -85,6 +124,7 @@ ELEMENTS = (
             settled={"kind": kind},
             start={**_SIZES, **start},
             plane=True,
+            plots=_TEETH,
             lines="gearwright.contact.plane_of_action:lines_over_a_pitch",
         )
         for kind, summary, start in (
@@ -103,6 +143,7 @@ ELEMENTS = (
         origin="on the axis, +z, at one end of the teeth",
         start={**_SIZES, "teeth": 24, "helix_angle": 30.0, "bore": 12.0},
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="helical gear",
@@ -112,6 +153,7 @@ ELEMENTS = (
         origin="on the axis, +z, at one end of the teeth",
         start={**_SIZES, "teeth": 24, "helix_angle": 20.0, "bore": 12.0},
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="internal gear",
@@ -121,6 +163,7 @@ ELEMENTS = (
         origin="on the axis, +z, at one end of the teeth",
         start={**_SIZES, "teeth": 54},
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="rack",
@@ -130,6 +173,7 @@ ELEMENTS = (
         origin="on the pitch plane, below the tip of the first tooth, at one end of the teeth; +x is up",
         start={**_SIZES, "teeth": 14},
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="spur gear",
@@ -139,6 +183,7 @@ ELEMENTS = (
         origin="on the axis, +z, at one end of the teeth",
         start={**_SIZES, "teeth": 24, "bore": 12.0},
         plane=True,
+        plots=_TEETH,
     ),
     Element(
         name="sweep",
@@ -149,6 +194,10 @@ ELEMENTS = (
         " its axis, +z",
         start={"section": {"rectangle": (30.0, 12.0)}, "length": 60.0, "twist": 90.0},
         plane=True,
+        plots=(
+            Plot(name="profile", title="Section at the start", source="gearwright.elements.outline_chart:section"),
+            _CONVERGENCE,
+        ),
     ),
     Element(
         name="cam",
@@ -169,6 +218,7 @@ ELEMENTS = (
         },
         diagram="gearwright.elements.cams.diagram:draw",
         plane=True,
+        plots=(*_CAM, _CONVERGENCE),
     ),
 )
 

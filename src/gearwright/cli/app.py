@@ -50,6 +50,7 @@ def build() -> cyclopts.App:
         name="convert",
         help="Convert bodies, drawings and designs into files of other formats.",
     )
+    app.command(f"{__package__}.serve:serve", name="serve", help="Serve the designer page on this machine.")
     app.command(
         f"{__package__}.demo:demo", name="demo", help="Build a bevel pair; compare exact with polyhedral values."
     )

@@ -39,12 +39,12 @@ def draw(pair: BevelPair, path: Path) -> None:
         length_unit=unit,
         micrometres=1e3 * MILLIMETRES[unit],
         radius=pair.gear.pitch_radius,
-        flank=_flank(mesh, errors.apart, f"touched with {apart}"),
+        flank=flank_of(mesh, errors.apart, f"touched with {apart}"),
         errors=[_curve(label, mesh, found) for label, found in curves.items()],
         turns=lines.turns,
         lengths=lines.lengths,
         counts=lines.counts,
-        notes=_notes(pair, lines.lengths),
+        notes=contact_notes(pair, lines.lengths),
     )
     contact_diagram(diagram, path)
 
@@ -53,7 +53,8 @@ def _curve(label: str, mesh: Mesh, found: TransmissionError) -> ErrorCurve:
     return ErrorCurve(label=label, turns=found.pinion_turn / mesh.pitch, error=found.error)
 
 
-def _flank(mesh: Mesh, askew: TransmissionError, touched_label: str) -> Flank:
+def flank_of(mesh: Mesh, askew: TransmissionError, touched_label: str) -> Flank:
+    """The pinion's driving flank developed, with lines of contact and where it is touched when the axes are askew."""
     path, pinion = ContactPath(mesh=mesh), mesh.pinion
     lines, turns = [], []
     for step in range(_LINES):
@@ -98,7 +99,8 @@ def _developed(member: Member, distance: Array, polar: Array) -> Array:
     return np.stack([distance, distance * (polar - member.pitch_angle)], axis=-1)
 
 
-def _notes(pair: BevelPair, lengths: Array) -> list[str]:
+def contact_notes(pair: BevelPair, lengths: Array) -> list[str]:
+    """Contact ratios and lengths (n,) of the lines in words, and what the errors are of."""
     ratios, unit = contact_ratios(pair), pair.length_unit
     said = f"contact ratio {ratios.transverse:.4g} at mid-face"
     if ratios.overlap:

@@ -20,8 +20,10 @@ SHAFT_ANGLE_ERROR = 0.1
 OFFSET_ERROR = 0.01
 """How far apart the axes are taken to pass, in outer modules, to one digit of the length unit."""
 
+ROUNDING = 1e-12
+"""Radians: transmission errors below are none."""
+
 _COUNTED = 120  # turns over a pitch at which lines of contact are measured
-_ROUNDING = 1e-12  # radians: errors below are none
 _MICRO = 1e6
 
 
@@ -82,5 +84,5 @@ def running(pair: BevelPair) -> dict[str, Size]:
 
 
 def _angle(error: TransmissionError, symbol: str, meaning: str) -> Size:
-    value = error.peak_to_peak if error.peak_to_peak > _ROUNDING else 0.0
+    value = error.peak_to_peak if error.peak_to_peak > ROUNDING else 0.0
     return Size(_MICRO * value, "microradian", symbol, f"transmission error of the gear, {meaning}")

@@ -9,6 +9,7 @@ from .. import catalog
 from ..files.formats import FILE_FORMATS
 from ..parameters import MILLIMETRES, Declaration, FileName, Form, Numbers, Points, Several, Table, Text
 from .kinds import parameters_of
+from .plots import plots_of
 
 Plain = dict[str, Any]
 
@@ -32,6 +33,7 @@ def _kind(kind: catalog.Element) -> Plain:
         "origin": kind.origin,
         "plane": kind.plane,
         "start": {"element": kind.command, **kind.start},
+        "plots": plots_of(kind),
         "formats": _formats(kind),
         "parameters": [parameter_form(one, kind.settled) for one in parameters_of(kind)],
     }

@@ -14,6 +14,7 @@ from .document import built_document, plain
 from .drawn import drawn
 from .kinds import article
 from .overlays import overlays
+from .texts import texts
 
 Answer = bytes | dict[str, Any]
 
@@ -36,6 +37,7 @@ def answers(request: Mapping[str, Any]) -> Iterator[Answer]:
         "document": plain(built_document(built)),
         "origin": design.kind.origin,
         "remarks": list(element.remarks),
+        "texts": texts(design),
     }
     yield {"answer": "overlays", **overlays(design.kind, built)}
     yield {"answer": "approximation", **plain(approximations(built, density))}

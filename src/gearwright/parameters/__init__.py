@@ -8,7 +8,7 @@ from .declaration import Declaration, declarations, declared, entry, member_valu
 from .forms import FileName, Numbers, Points, Several, Table, Text
 from .parameter import Form, Parameter, did_you_mean
 from .problems import Problems, from_mapping
-from .spelling import spelled
+from .spelling import call, spelled
 from .units import LEAST, LENGTH_UNITS, MILLIMETRES, MOST, Size, Unit, in_words, rounded_down, rounded_up, unit_text
 
 __all__ = [
@@ -28,6 +28,7 @@ __all__ = [
     "Table",
     "Text",
     "Unit",
+    "call",
     "declarations",
     "declared",
     "did_you_mean",

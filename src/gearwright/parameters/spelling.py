@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import MISSING, Field, fields
 from typing import Any
 
@@ -9,8 +10,16 @@ from typing import Any
 def spelled(element: Any) -> str:
     """Its class with the parameters that differ from their defaults: "SpurGear(teeth=24, module=3, face_width=20)"."""
     given = [(field, getattr(element, field.name)) for field in fields(element) if field.init]
-    said = ", ".join(f"{field.name}={value!r}" for field, value in given if not _is_default(field, value))
-    return f"{type(element).__name__}({said})"
+    return call(type(element).__name__, {field.name: value for field, value in given if not _is_default(field, value)})
+
+
+def call(name: str, arguments: Mapping[str, Any], most: int | None = None) -> str:
+    """A call with named arguments in one line, or with an argument a line where that is longer than so many columns."""
+    said = [f"{argument}={value!r}" for argument, value in arguments.items()]
+    line = f"{name}({', '.join(said)})"
+    if most is None or len(line) <= most:
+        return line
+    return f"{name}(\n" + "".join(f"    {one},\n" for one in said) + ")"
 
 
 def _is_default(field: Field[Any], value: object) -> bool:

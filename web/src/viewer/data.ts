@@ -1,6 +1,6 @@
 // What Python hands over (src/gearwright/viewer/document.py), and its arrays as numbers.
 
-export type Triple = [number, number, number];
+import type { Solid, Triple } from "../scene/solid";
 
 export interface BodyData {
   name: string;
@@ -31,9 +31,15 @@ export function readScene(): SceneData {
   return JSON.parse(document.getElementById("gearwright-scene")!.textContent!) as SceneData;
 }
 
-export const floats = (text: string) => new Float32Array(buffer(text));
-export const shorts = (text: string) => new Int16Array(buffer(text));
-export const counts = (text: string) => new Uint32Array(buffer(text));
+export function solidOf(data: BodyData): Solid {
+  return {
+    ...data,
+    positions: new Float32Array(buffer(data.positions)),
+    normals: new Int16Array(buffer(data.normals)),
+    index: () => ({ triangles: new Uint32Array(buffer(data.triangles)), edges: new Uint32Array(buffer(data.edges)) }),
+    topology: data.name,
+  };
+}
 
 // Little-endian, as every machine is that runs a browser.
 function buffer(text: string): ArrayBuffer {

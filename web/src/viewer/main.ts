@@ -1,14 +1,16 @@
 // A view of placed bodies that turns: reads the scene that stands in the page, and asks nothing of any network.
 
 import * as three from "three";
-import { Body } from "./body";
-import { readScene, type SceneData } from "./data";
-import { along, KEYS, listen } from "./keyboard";
-import { button, check, choice, element, slider } from "./panel";
-import { Running } from "./running";
-import { ScaleBar } from "./scale_bar";
-import { Section, type Axis } from "./section";
-import { Stage } from "./stage";
+import { Body } from "../scene/body";
+import { graphics } from "../scene/graphics";
+import { along, KEYS, listen } from "../scene/keyboard";
+import { button, check, element } from "../scene/panel";
+import { Running } from "../scene/running";
+import { ScaleBar } from "../scene/scale_bar";
+import { Section } from "../scene/section";
+import { SectionRow } from "../scene/section_row";
+import { Stage } from "../scene/stage";
+import { readScene, solidOf, type SceneData } from "./data";
 import style from "./style.css?inline";
 
 const EDGES = { light: "#1b2026", dark: "#05070a" };
@@ -22,18 +24,26 @@ function start(): void {
   const box = boxOf(data);
   const middle = box.getCenter(new three.Vector3());
   const radius = 0.5 * box.getSize(new three.Vector3()).length();
+  const drawnBy = graphics();
   let stage: Stage;
   try {
-    stage = new Stage(canvas, data, radius);
+    stage = new Stage(canvas, drawnBy, data);
   } catch {
     canvas.remove();
     main.append(element("p", { class: "refusal", role: "alert" },
       `${data.title}: this browser draws nothing in three dimensions (WebGL is switched off or not there).`));
     return;
   }
-  const bodies = data.bodies.map((body, index) => new Body(body, index, middle, radius));
+  stage.radius = radius;
+  const bodies = data.bodies.map((body, index) => {
+    const made = new Body(index, drawnBy);
+    made.show(solidOf(body), middle, radius);
+    return made;
+  });
   stage.scene.add(...bodies.map((body) => body.group));
-  furnish(main, canvas, stage, bodies, data, new Section(box.translate(middle.clone().negate()), middle));
+  const section = new Section();
+  section.contain(box, middle);
+  furnish(main, canvas, stage, bodies, data, section);
   stage.resize();
   stage.look(bodies);
   document.documentElement.dataset.ready = "true";
@@ -72,54 +82,31 @@ function furnish(
       theme(current());
     }),
     button("◐", "Light or dark", () => theme(current() === "dark" ? "light" : "dark")));
-  const rows = [...(running ? [running.row] : []), sectionRow(stage, bodies, section, data.unit)];
+  const cut = (place: number) => {
+    section.cut(bodies, place);
+    stage.draw();
+  };
+  const rows = [...(running ? [running.row] : []), new SectionRow(stage, section, cut, data.unit).row];
   const header = element("header", {}, element("h1", {}, data.title), ...(bodies.length > 1 ? [legend(stage, bodies)] : []));
   const panel = element("div", { class: "panel" }, ...rows);
   main.append(header, views, panel, scale.element);
   stage.taken = () => [
     Math.max(header.getBoundingClientRect().bottom, views.getBoundingClientRect().bottom) + 10,
+    24,
     main.clientHeight - panel.getBoundingClientRect().top + 10,
+    24,
   ];
 }
 
 function legend(stage: Stage, bodies: Body[]): HTMLElement {
   const items = bodies.map((body) => {
     const swatch = element("i", { style: `background:#${body.colour.getHexString()}` });
-    return check([swatch, body.data.name], `Show ${body.data.name}`, true, (on) => {
+    return check([swatch, body.solid.name], `Show ${body.solid.name}`, true, (on) => {
       body.group.visible = on;
       stage.draw();
     });
   });
   return element("div", { class: "legend", role: "group", "aria-label": "Bodies" }, ...items);
-}
-
-function sectionRow(stage: Stage, bodies: Body[], section: Section, unit: string): HTMLElement {
-  const cut = () => {
-    section.cut(bodies, place.value());
-    stage.draw();
-  };
-  const place = slider("Place of the cut", (value) => `${value.toFixed(digits).replace(/^-(?=[0.]*$)/, "")} ${unit}`, cut);
-  const flip = button("⇄", "Show the other side", () => {
-    section.flipped = !section.flipped;
-    cut();
-  });
-  let digits = 1;
-  const chosen = (value: string) => {
-    const axis = value ? (value as Axis) : null;
-    section.choose(axis, stage.camera.position.clone().sub(stage.orbit.target));
-    place.row.hidden = flip.hidden = !axis;
-    if (axis) {
-      const [least, most] = section.limits(axis);
-      digits = Math.max(0, 2 - Math.floor(Math.log10(most - least)));
-      place.limit(least, most);
-      place.set((least + most) / 2);
-    }
-    cut();
-  };
-  const options = { "": "none", x: "across x", y: "across y", z: "across z" };
-  const axes = choice("Section plane", options, chosen);
-  place.row.hidden = flip.hidden = true;
-  return element("div", { class: "row" }, element("span", { class: "name" }, "section"), axes, place.row, flip);
 }
 
 // What the bodies take together.

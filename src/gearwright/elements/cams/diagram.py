@@ -25,16 +25,11 @@ _SPARE = 0.12  # of the face's touched length that it is drawn longer, at each e
 
 def draw(cam: Cam, path: Path) -> None:
     """The disk with its follower, and displacement, velocity, acceleration and pressure angle over the turn."""
-    best = best_fixed(cam)
-    other = (
-        None if best is None else profile_of(cam.follower, best.dimensions, cam.sense or "opposite", best.displacement)
-    )  # fmt: skip
-    move = cam.displacement.moves[0]
-    moment = (move.start + move.end) / 2.0
+    best, other, moment = best_fixed(cam), compared_profile(cam), shown_moment(cam)
     diagram = Diagram(
         title=f"Cam, {cam.description}",
         length_unit=cam.length_unit,
-        disk=_disk(cam, other, moment),
+        disk=disk_of(cam, other, moment),
         angle=np.linspace(0.0, 360.0, _POINTS + 1),
         curves=_curves(cam, other),
         spans=[
@@ -43,9 +38,23 @@ def draw(cam: Cam, path: Path) -> None:
         ],
         moment=float(np.degrees(moment)),
         other="" if best is None else f"least with a fixed law, {best.law}",
-        notes=_notes(cam),
+        notes=cam_notes(cam),
     )
     cam_diagram(diagram, path)
+
+
+def compared_profile(cam: Cam) -> Profile | None:
+    """The profile of the best cam with a fixed law, which a synthesis is compared with; None without one."""
+    best = best_fixed(cam)
+    if best is None:
+        return None
+    return profile_of(cam.follower, best.dimensions, cam.sense or "opposite", best.displacement)
+
+
+def shown_moment(cam: Cam) -> float:
+    """The cam angle (radians) at which the follower is drawn: the middle of its first move."""
+    move = cam.displacement.moves[0]
+    return (move.start + move.end) / 2.0
 
 
 def _angles() -> Array:
@@ -57,7 +66,8 @@ def _plane(points: NDArray[Any]) -> Array:
     return np.stack([np.real(points), np.imag(points)], axis=-1)
 
 
-def _disk(cam: Cam, other: Profile | None, moment: float) -> Disk:
+def disk_of(cam: Cam, other: Profile | None, moment: float) -> Disk:
+    """The disk, another one beside it if there is one, and the follower at a cam angle (radians)."""
     profile, follower = cam.traced, cam.traced.follower
     s, turned = profile.displacement.derivatives(moment), np.exp(1j * moment)
     contact = follower.contact(s)
@@ -150,7 +160,8 @@ def _pressure(profile: Profile) -> Array:
     return np.degrees(np.arctan(np.abs(profile.contact(_inside()).pressure)))
 
 
-def _notes(cam: Cam) -> list[str]:
+def cam_notes(cam: Cam) -> list[str]:
+    """Area, radii and eccentricity in words."""
     sizes, unit = cam.sizes(), cam.length_unit
     base, eccentricity = sizes["base_radius"].value, sizes["largest_eccentricity"].value
     lines = [

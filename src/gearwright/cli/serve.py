@@ -1,0 +1,77 @@
+"""`gearwright serve`: the designer page on this machine."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from importlib.util import find_spec
+from typing import Annotated
+
+from cyclopts import Parameter as Option
+
+from ..errors import MachineError, Problem, ProblemsError
+from ..server.hosts import is_loopback, is_name
+from .exits import DONE
+
+PORT = 8321
+_LIBRARIES = ("starlette", "uvicorn", "websockets")
+
+
+def serve(
+    *,
+    port: Annotated[
+        int | None,
+        Option(
+            help="Port to listen at; 0 takes any free one.", metavar="PORT", show_default=f"{PORT}, or the next free"
+        ),
+    ] = None,
+    host: Annotated[
+        str,
+        Option(help="Name or address to listen at. Others than this machine's own need a token.", metavar="HOST"),
+    ] = "127.0.0.1",
+    open_: Annotated[
+        bool, Option(name="--open", help="Open the page in a browser.", negative=(), show_default=False)
+    ] = False,
+) -> int:
+    """Serve the designer page: a design in a form, its solid, properties, plots and files as it changes."""
+    _require_sound(port, host)
+    _require_libraries()
+    from ..server.page import NOT_BUILT, built
+    from ..server.serving import bound
+    from ..server.serving import serve as serve_at
+
+    at = bound(host, PORT if port is None else port, or_next=port is None)
+    if at.moved:
+        print(f"Port {PORT} is taken; {at.names.port} it is.", file=sys.stderr)
+    if not built():
+        print(f"note: {NOT_BUILT}; what programs use is served.", file=sys.stderr)
+    if not is_loopback(host):
+        print("Others can reach it: whoever has this address, with its token, can use it.", file=sys.stderr)
+
+    def ready() -> None:
+        print(f"Gearwright's designer page: {at.address} – Ctrl-C ends it.", flush=True)
+        if open_:
+            import webbrowser
+
+            threading.Thread(target=webbrowser.open, args=(at.address,), daemon=True).start()
+
+    serve_at(at, ready)
+    print("Gearwright's designer page has ended.", file=sys.stderr)
+    return DONE
+
+
+def _require_sound(port: int | None, host: str) -> None:
+    problems = []
+    if port is not None and not 0 <= port <= 65535:
+        problems.append(Problem(f"--port {port}", "a port is a whole number from 0 to 65535"))
+    if not is_name(host):
+        problems.append(Problem(f"--host {host}", "a name or an address is needed, such as 127.0.0.1 or 0.0.0.0"))
+    if problems:
+        raise ProblemsError("The server cannot start", problems)
+
+
+def _require_libraries() -> None:
+    missing = [name for name in _LIBRARIES if find_spec(name) is None]
+    if missing:
+        told = f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} not installed"
+        raise MachineError(f"{told}; the page's server comes with: pip install 'gearwright[web]'")

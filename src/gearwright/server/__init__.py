@@ -1,0 +1,1 @@
+"""The designer page's server: HTTP and WebSocket in, jobs for worker processes, what they answer out."""

@@ -1,0 +1,63 @@
+"""Names of this server: what a browser may call it, so that no other page can reach it by a name of its own."""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+import socket
+from dataclasses import dataclass
+
+LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
+_ANY = ("0.0.0.0", "::")  # noqa: S104  compared with, not bound to
+_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]+")
+
+
+def is_name(host: str) -> bool:
+    """Whether this can be a host's name or address."""
+    return _NAME.fullmatch(host) is not None
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach a server bound to this name."""
+    if host == "localhost":
+        return True
+    address = _address(host)
+    return address is not None and address.is_loopback
+
+
+@dataclass(frozen=True, kw_only=True)
+class Names:
+    """The names that a Host header may hold, for a server bound to a host and a port.
+
+    Bound to all addresses, it is known by any address, which no name server can make another page's, and by the
+    machine's own name.
+    """
+
+    host: str
+    port: int
+
+    def known(self, header: str) -> bool:
+        """Whether a Host header is one of this server's."""
+        name, _, port = header.rpartition(":") if re.search(r":\d+$", header) else (header, "", "80")
+        if port != str(self.port):
+            return False
+        return name.lower() in self._names or (self.host in _ANY and _address(name.strip("[]")) is not None)
+
+    @property
+    def _names(self) -> set[str]:
+        own = f"[{self.host}]" if ":" in self.host else self.host.lower()
+        named = {socket.gethostname().lower()} if self.host in _ANY else set()
+        return {*LOOPBACK, own, *named}
+
+    @property
+    def shown(self) -> str:
+        """The host and port as an address shows it."""
+        host = "127.0.0.1" if self.host == "0.0.0.0" else "::1" if self.host == "::" else self.host  # noqa: S104
+        return f"[{host}]:{self.port}" if ":" in host else f"{host}:{self.port}"
+
+
+def _address(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
+    try:
+        return ipaddress.ip_address(host)
+    except ValueError:
+        return None

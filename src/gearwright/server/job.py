@@ -1,0 +1,63 @@
+"""A job as those who asked for it see it: its answers as they come, and how it ended."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from typing import Any, final
+
+from .outcomes import JobCancelledError, JobError, JobFailedError
+from .worker import Answer
+
+MOST_UNREAD = 512 << 20
+"""Bytes of answers that may wait to be taken."""
+
+
+@final
+class Job:
+    """Answers of a worker, to be taken by `async for`, which raises JobError where it did not end by itself.
+
+    number, source, request   as the worker gets them
+    seconds                   how long it may run
+    """
+
+    def __init__(self, number: int, source: str, request: Any, seconds: float, cancel: Callable[[Job], None]):
+        self.number, self.source, self.request, self.seconds = number, source, request, seconds
+        self.ended = asyncio.Event()
+        self.cancelled = False
+        self._cancel = cancel
+        self._unread = 0
+        self._answers: asyncio.Queue[Answer | JobError | None] = asyncio.Queue()
+
+    def cancel(self) -> None:
+        """Ends it; at once where it waits, else at its next answer or after a grace."""
+        if not self.ended.is_set() and not self.cancelled:
+            self.cancelled = True
+            self._cancel(self)
+
+    def put(self, answer: Answer) -> None:
+        """Hands on an answer."""
+        if self.ended.is_set() or self.cancelled:
+            return
+        self._unread += len(answer) if isinstance(answer, bytes) else 0
+        if self._unread > MOST_UNREAD:
+            self.end(JobFailedError("The answer is too large for this connection."))
+            self._cancel(self)
+            return
+        self._answers.put_nowait(answer)
+
+    def end(self, how: JobError | None = None) -> None:
+        """There are no more answers. how   None where it ended by itself"""
+        if not self.ended.is_set():
+            self.ended.set()
+            self._answers.put_nowait(JobCancelledError("cancelled") if self.cancelled else how)
+
+    async def __aiter__(self) -> AsyncIterator[Answer]:
+        while True:
+            answer = await self._answers.get()
+            if answer is None:
+                return
+            if isinstance(answer, JobError):
+                raise answer
+            self._unread -= len(answer) if isinstance(answer, bytes) else 0
+            yield answer

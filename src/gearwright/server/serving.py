@@ -1,0 +1,150 @@
+"""The application on a socket, until it is told to end."""
+
+from __future__ import annotations
+
+import errno
+import logging
+import os
+import secrets
+import signal
+import socket
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+import uvicorn
+from starlette.websockets import WebSocket
+
+from ..errors import MachineError, Problem, ProblemsError
+from .app import Settings, application
+from .hosts import Names, is_loopback
+from .reading import JSON_BYTES
+
+_TRIES = 50
+_ENDING = 2  # seconds for what is under way
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bound:
+    """A socket that listens, and what it is called. moved   whether another port was taken than asked for"""
+
+    listener: socket.socket
+    names: Names
+    token: str | None
+    moved: bool
+
+    @property
+    def address(self) -> str:
+        """To be opened in a browser."""
+        return f"http://{self.names.shown}/" + (f"?token={self.token}" if self.token else "")
+
+
+def bound(host: str, port: int, *, or_next: bool) -> Bound:
+    """A socket at a host and a port, 0 for any free one. or_next   take the next free one where it is taken
+
+    Raises ProblemsError where it cannot be had.
+    """
+    for offered in range(port, min(port + (_TRIES if or_next else 1), 65536)):
+        try:
+            listener = _listening(host, offered)
+        except OSError as error:
+            if error.errno == errno.EADDRINUSE and or_next:
+                continue
+            raise ProblemsError("The server cannot start", [_problem(error, host, offered)]) from None
+        token = None if is_loopback(host) else secrets.token_urlsafe(24)
+        names = Names(host=host, port=listener.getsockname()[1])
+        return Bound(listener=listener, names=names, token=token, moved=offered != port)
+    words = f"this and the next {_TRIES} ports are taken; name another one by --port"
+    raise ProblemsError("The server cannot start", [Problem(f"--port {port}", words)])
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    listener = socket.socket(family, kind, protocol)
+    try:
+        if os.name == "posix":
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(address)
+        listener.listen(128)
+    except BaseException:
+        listener.close()
+        raise
+    listener.set_inheritable(False)
+    return listener
+
+
+def _problem(error: OSError, host: str, port: int) -> Problem:
+    match error.errno:
+        case errno.EADDRINUSE:
+            return Problem(f"--port {port}", "another program has it; name another one, or 0 for any that is free")
+        case errno.EACCES:
+            return Problem(f"--port {port}", "the system keeps it to itself; take one from 1024 on")
+    return Problem(f"--host {host}", f"this machine has no such name or address ({error.strerror or error})")
+
+
+def serve(at: Bound, ready: Callable[[], None]) -> None:
+    """Serves until SIGINT or SIGTERM. ready   called once requests are taken
+
+    Raises MachineError where it cannot start.
+    """
+    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token), ready)
+    with _quiet_signals():
+        server.run(sockets=[at.listener])
+    if not server.started:
+        raise MachineError("The server did not start; GEARWRIGHT_DEBUG=1 before the command shows why")
+
+
+def server_of(settings: Settings, ready: Callable[[], None]) -> uvicorn.Server:
+    """A server that is not yet run. ready   called once requests are taken"""
+    holder: list[uvicorn.Server] = []
+    config = uvicorn.Config(
+        application(replace(settings, abort=lambda websocket: _abort(holder[0], websocket))),
+        lifespan="on",
+        ws="websockets-sansio",
+        ws_max_size=JSON_BYTES,
+        ws_per_message_deflate=False,
+        access_log=False,
+        log_config=None,
+        server_header=False,
+        proxy_headers=False,
+        timeout_graceful_shutdown=_ENDING,
+        limit_concurrency=512,
+    )
+    if os.environ.get("GEARWRIGHT_DEBUG") != "1":
+        logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL + 1)
+    server = _Server(config, ready)
+    holder.append(server)
+    return server
+
+
+@contextmanager
+def _quiet_signals() -> Iterator[None]:
+    """Has signals to end do nothing more when uvicorn, which has ended by them, raises them again."""
+    before = {one: signal.signal(one, lambda *_: None) for one in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for one, handler in before.items():
+            signal.signal(one, handler)
+
+
+class _Server(uvicorn.Server):
+    """One that says when it takes requests."""
+
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]):
+        super().__init__(config)
+        self._ready = ready
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            self._ready()
+
+
+def _abort(server: uvicorn.Server, websocket: WebSocket) -> None:
+    """Ends a connection without waiting for its other side."""
+    for protocol in list(server.server_state.connections):
+        one: Any = protocol
+        if getattr(one, "client", None) == tuple(websocket.client or ()) and one.transport is not None:
+            one.transport.abort()

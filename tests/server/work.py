@@ -1,0 +1,79 @@
+"""Jobs for workers: generators that the server's functions are stood in for by."""
+
+import json
+import os
+import signal
+import time
+
+from gearwright.errors import FileError, ParameterError, Problem
+
+
+def count(request):
+    """So many answers, one after another."""
+    for k in range(request["to"]):
+        time.sleep(request.get("pause", 0.0))
+        yield {"k": k, "pid": os.getpid()}
+
+
+def sleep(request):
+    """Comes to no second answer for a minute."""
+    yield {"pid": os.getpid()}
+    time.sleep(60)
+    yield {}
+
+
+def die(request):
+    """Is ended by the system after its first answer."""
+    yield {"pid": os.getpid()}
+    os.kill(os.getpid(), request.get("signal", signal.SIGKILL))
+    yield {}
+
+
+def hog(request):
+    """Takes more memory than there may be."""
+    yield {"taken": len(bytearray(request["bytes"]))}
+
+
+def refuse(request):
+    yield {}
+    raise ParameterError("Gear", [Problem("gear face_width = 3 mm", "too thin"), Problem("turn", "of nothing")])
+
+
+def refuse_file(request):
+    raise FileError("section.dxf: broken")
+    yield {}
+
+
+def fault(request):
+    raise KeyError("lost")
+    yield {}
+
+
+def frame(header, buffer):
+    text = json.dumps(header).encode()
+    text += b" " * (-(4 + len(text)) % 8)
+    return len(text).to_bytes(4, "little") + text + buffer
+
+
+def live(request):
+    """Answers as a design's name says."""
+    design = request["design"]
+    match design.get("do"):
+        case "slow":
+            for k in range(100):
+                time.sleep(0.05)
+                yield {"answer": "values", "k": k}
+        case "large":
+            yield frame({"answer": "mesh"}, bytes(design["bytes"]))
+        case "sleep" | "die" | "refuse" | "fault" as word:
+            yield from globals()[word](request)
+        case _:
+            yield frame({"answer": "mesh", "title": design.get("title")}, b"\1\2\3\4")
+            yield {"answer": "values", "have": request.get("have")}
+
+
+def plot(request):
+    """No chart, in the form of one."""
+    axis = {"label": "x", "unit": "mm"}
+    line = {"name": "a", "x": [0, 1], "y": [0, None], "style": "solid"}
+    yield {"title": "t", "x": axis, "y": axis, "equal": False, "lines": [line], "log": "none", "notes": []}

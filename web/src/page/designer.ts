@@ -1,0 +1,285 @@
+// The page as a whole: one state, shown by form, view and tables, kept in the address.
+
+import { partsOf, summary } from "./amounts";
+import { Announcer } from "./announcer";
+import { type Api, ApiError } from "./api";
+import { Comparing } from "./comparing";
+import { copying } from "./copying";
+import { unitOf } from "./design";
+import { element } from "./dom";
+import { DesignForm } from "./form/form";
+import { hashOf, plain, type State, stateOf } from "./hash";
+import { Header } from "./header";
+import { History } from "./history";
+import { kindOf, startOf } from "./kinds";
+import { listenForFiles } from "./opening";
+import { outputs } from "./outputs";
+import { arranged, type Parts } from "./page_parts";
+import { Pane } from "./pane";
+import { plots } from "./plots";
+import type { ApproximationAnswer, Design, Elements, Kind, LengthUnit, Material, ValuesAnswer } from "./protocol";
+import { Sheet } from "./sheet";
+import { tables } from "./tables";
+import { Tabs } from "./tabs";
+import { keep, recalled, type Themes } from "./theme";
+import { listenForUndo } from "./undoing";
+import { Weighing } from "./weighing";
+
+const KEY = "gearwright.design";
+const SETTLED = 600; // ms without a change
+
+export class Designer {
+  private state: State;
+  private kind: Kind;
+  private form: DesignForm;
+  private readonly seen = new Map<string, Design>(); // the last design of each kind
+  private readonly history: History<State>;
+  private readonly announcer = new Announcer();
+  private readonly sheet = new Sheet();
+  private readonly header: Header;
+  private readonly parts: Parts;
+  private readonly tabs: Tabs;
+  private readonly weighing: Weighing;
+  private readonly comparing: Comparing;
+  private readonly pane: Pane;
+  private readonly tables: ReturnType<typeof tables>;
+  private readonly plots: ReturnType<typeof plots>;
+  private readonly outputs: ReturnType<typeof outputs>;
+  private readonly copying: ReturnType<typeof copying>;
+  private settling = 0;
+
+  constructor(
+    host: HTMLElement, themes: Themes, private readonly api: Api, private readonly elements: Elements, materials: Material[],
+  ) {
+    const first = elements.kinds.find((kind) => kind.command === "spur" && kind.members === 2) ?? elements.kinds[0]!;
+    const { state, note } = this.begin(first);
+    this.state = state;
+    this.kind = kindOf(elements.kinds, state.design) ?? first;
+    this.history = new History(hashOf, note ? plain(first.start) : state);
+    this.history.settle(state);
+    this.header = new Header(elements.kinds, {
+      kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
+      open: (file) => void this.open(file), compare: () => this.compare(), theme: () => themes.toggle(),
+      unit: (unit) => this.change({ unit: unit === unitOf(this.state.design) ? null : unit }), print: () => window.print(),
+    });
+    this.tabs = new Tabs("Results", (tab) => this.change({ tab: tab === "sizes" ? "" : tab }));
+    const [sizes, mass, plot, copies, files] = [element("div"), element("div"), element("div"), element("div"), element("div")];
+    this.weighing = new Weighing(materials, () => unitOf(this.state.design), (weight) => this.change(weight));
+    this.tabs.add("sizes", "Sizes", sizes);
+    this.tabs.add("mass", "Mass & inertia", this.weighing.element, mass);
+    this.tabs.add("plots", "Plots", plot);
+    this.tabs.add("files", "Files", files, copies);
+    this.parts = arranged(host, this.header.element, this.tabs.element,
+      [this.announcer.spoken, this.announcer.toasts, this.sheet.element]);
+    this.pane = new Pane("Model", {
+      values: (values, approximation) => this.take(values, approximation),
+      built: () => this.form.refuse("", []),
+      refused: (headline, problems) => {
+        this.form.refuse(headline, problems);
+        this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
+      },
+      link: (link) => this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]),
+      note: (text) => this.announcer.note(text),
+    });
+    this.parts.views.append(this.pane.element);
+    this.comparing = new Comparing(this.parts.views, this.tabs, (text) => this.announcer.note(text));
+    this.tables = tables({ sizes, mass });
+    this.plots = plots(plot, api);
+    this.copying = copying(copies);
+    this.outputs = outputs(files, api);
+    this.form = this.formOf(this.kind);
+    themes.follow((theme) => {
+      this.pane.theme(theme);
+      this.comparing.theme(theme);
+    });
+    listenForUndo(() => this.step("undo"), () => this.step("redo"));
+    listenForFiles(document.body, (file) => void this.open(file));
+    window.addEventListener("hashchange", () => this.addressed());
+    window.addEventListener("beforeprint", () => this.print());
+    document.addEventListener("change", () => this.settleSoon());
+    if (note) this.announcer.note(note);
+    this.show();
+    this.publish("replace");
+  }
+
+  // The design of the address, the last one, or an example.
+  private begin(first: Kind): { state: State; note: string } {
+    const known = (state: State | null) => (state && kindOf(this.elements.kinds, state.design) ? state : null);
+    const named = known(stateOf(location.hash));
+    if (named) return { state: named, note: "" };
+    const note = location.hash.length > 1 ? "The address holds no design that is known here." : "";
+    const last = known(stateOf(recalled(KEY) ?? ""));
+    if (last) return { state: last, note: note || "Your last design is open again; Undo leads to the example." };
+    if (note) this.announcer.note(note);
+    return { state: plain({ ...first.start }), note: "" };
+  }
+
+  private formOf(kind: Kind): DesignForm {
+    const form = new DesignForm(kind, this.api, (design) => this.edited(design));
+    this.parts.form.replaceChildren(form.element);
+    this.plots.kind(kind);
+    this.outputs.kind(kind);
+    return form;
+  }
+
+  // What somebody does in the form. null: a field holds no value
+  private edited(design: Design | null): void {
+    if (!design) {
+      this.pane.stale();
+      this.announcer.say(this.form.broken.join(". "));
+      return;
+    }
+    if (hashOf({ ...this.state, design }) === hashOf(this.state)) {
+      if (this.pane.element.dataset.state === "old") this.ask();
+      return;
+    }
+    this.change({ design });
+  }
+
+  private change(part: Partial<State>): void {
+    const before = this.state;
+    this.state = { ...this.state, ...part };
+    this.publish("replace");
+    this.settleSoon();
+    this.furnish(before);
+  }
+
+  private choose(kind: Kind): void {
+    this.settle();
+    this.seen.set(this.kind.name, this.state.design);
+    const design = this.seen.get(kind.name) ?? startOf(kind, this.kind, this.state.design);
+    this.go({ ...this.state, design }, "push");
+    this.settle();
+  }
+
+  // Shows a state that did not come from the form.
+  private go(state: State, how: "replace" | "push" = "replace"): void {
+    this.state = state;
+    this.show();
+    this.publish(how);
+  }
+
+  private show(): void {
+    const kind = kindOf(this.elements.kinds, this.state.design) ?? this.kind;
+    if (kind !== this.kind) {
+      this.kind = kind;
+      this.form = this.formOf(kind);
+      this.tables.clear();
+      this.copying.clear();
+      this.parts.strip.textContent = "";
+    }
+    this.form.set(this.state.design);
+    this.weighing.set(this.state, kind.origin);
+    this.tabs.choose(this.state.tab || "sizes", false);
+    this.furnish(null);
+  }
+
+  // Brings all but the form up to date. before: the state until now, null where all may differ
+  private furnish(before: State | null): void {
+    const state = this.state;
+    const unit = this.unit;
+    if (!before || this.unitOf(before) !== unit) {
+      this.pane.unit(unit);
+      this.comparing.unit(unit);
+      this.tell();
+    }
+    this.header.show(this.kind, unit, this.history.undoable, this.history.redoable, this.comparing.on);
+    if (before && hashOf({ ...before, unit: null, tab: "" }) === hashOf({ ...state, unit: null, tab: "" })) return;
+    this.plots.design(state.design);
+    this.outputs.design(state.design, { density: state.density, material: state.material });
+    this.ask();
+  }
+
+  private ask(): void {
+    const { design, density, material, about } = this.state;
+    this.pane.ask({ design, density, material, about });
+  }
+
+  private get unit(): LengthUnit {
+    return this.unitOf(this.state);
+  }
+
+  private unitOf(state: State): LengthUnit {
+    return state.unit ?? unitOf(state.design);
+  }
+
+  private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
+    this.tables.show(values, approximation, this.unit, this.state.about);
+    this.comparing.show(values);
+    if (approximation) return;
+    this.copying.show(values);
+    this.tell();
+  }
+
+  private tell(): void {
+    const values = this.pane?.values;
+    if (!values || !partsOf(values.document).length) return;
+    const text = summary(values.document, this.unit);
+    this.parts.strip.textContent = text;
+    this.announcer.say([text, ...values.remarks].join(". "));
+  }
+
+  private compare(): void {
+    if (this.comparing.on) this.comparing.leave();
+    else this.comparing.pin(this.state, this.pane.values, this.unit);
+    this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
+  }
+
+  private async open(file: File): Promise<void> {
+    try {
+      const design = await this.api.read(await file.text());
+      if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
+      this.settle();
+      this.go({ ...this.state, design });
+      this.settle();
+      this.announcer.note(`${file.name} is open.`);
+    } catch (error) {
+      this.announcer.note(error instanceof ApiError ? error.message : `${file.name} could not be read`, 20_000);
+    }
+  }
+
+  private step(way: "undo" | "redo"): void {
+    this.settle();
+    const state = this.history[way]();
+    if (!state) return;
+    this.go({ ...state, tab: this.state.tab, unit: this.state.unit });
+    this.announcer.say(way === "undo" ? "Undone" : "Done again");
+  }
+
+  private settleSoon(): void {
+    clearTimeout(this.settling);
+    this.settling = window.setTimeout(() => this.settle(), SETTLED);
+  }
+
+  // What was settled on can be come back to. How it is displayed is no part of that.
+  private settle(): void {
+    clearTimeout(this.settling);
+    this.history.settle({ ...this.state, tab: "", unit: null });
+    keep(KEY, hashOf({ ...this.state, tab: "", unit: null }));
+    this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
+  }
+
+  private publish(how: "replace" | "push"): void {
+    const hash = hashOf(this.state);
+    if (how === "push") history.pushState(null, "", hash);
+    else if (location.hash !== hash) history.replaceState(null, "", hash);
+    document.title = `${this.kind.name} – Gearwright`;
+  }
+
+  // Back, forward, or an address that somebody typed.
+  private addressed(): void {
+    const state = stateOf(location.hash);
+    if (!state || !kindOf(this.elements.kinds, state.design)) {
+      this.announcer.note("The address holds no design that is known here.");
+      return;
+    }
+    if (hashOf(state) === hashOf(this.state)) return;
+    this.settle();
+    this.go(state);
+    this.settle();
+  }
+
+  private print(): void {
+    this.sheet.show(this.kind, this.state.design, this.pane.title, this.pane.picture());
+  }
+}

@@ -1,0 +1,33 @@
+// The data sheet that is printed: title, parameters as given, the picture; the tables follow from the page.
+
+import { unitOf } from "./design";
+import { capital, element, symbol, words } from "./dom";
+import { shown } from "./form/quantity";
+import type { Design, Kind, Parameter, Value } from "./protocol";
+
+export class Sheet {
+  readonly element = element("section", { class: "sheet", "aria-hidden": "true" });
+
+  show(kind: Kind, design: Design, title: string, picture: string | null): void {
+    const given = kind.parameters.filter((parameter) => design[parameter.name] !== undefined);
+    const rows = given.map((parameter) => element("tr", {},
+      element("th", { scope: "row" }, capital(words(parameter.name)), " ", parameter.symbol ? symbol(parameter.symbol) : null),
+      element("td", {}, text(design[parameter.name]!, parameter)),
+      element("td", {}, { length: unitOf(design), angle: "°", mm: "mm", "per inch": "1/in", "": "" }[parameter.unit])));
+    const image = element("img", { alt: "" });
+    if (picture) image.src = picture;
+    this.element.replaceChildren(
+      element("h1", {}, capital(title || kind.name)),
+      element("div", { class: "sheet-columns" },
+        element("table", {}, element("caption", {}, "Parameters as given"), element("tbody", {}, ...rows)),
+        ...(picture ? [image] : [])));
+  }
+}
+
+function text(value: Value, parameter: Parameter): string {
+  if (typeof value === "number") return shown(value);
+  if (typeof value === "string") return value.startsWith("upload:") ? value.replace(/^.*\//, "") : value;
+  if (Array.isArray(value) && parameter.kind !== "form") return value.map((one) => (one === null ? "–" : text(one, parameter))).join(" / ");
+  const json = JSON.stringify(value);
+  return json.length > 240 ? `${json.slice(0, 240)} …` : json;
+}

@@ -1,0 +1,113 @@
+// What the part is made of, and about which point its inertia is told.
+
+import { element, options, unique } from "./dom";
+import { quantity, shown } from "./form/quantity";
+import type { About, LengthUnit, Material, Point } from "./protocol";
+
+export interface Weight {
+  density: number | null; // kg/m³
+  material: string | null;
+  about: About;
+}
+
+const UNITS: Record<string, number> = { "kg/m³": 1, "kg/m3": 1, "g/cm³": 1000, "g/cm3": 1000, "lb/in³": 27679.9047102031, "lb/in3": 27679.9047102031 };
+
+// kg/m³ of what was typed; a text that says what is wrong with it
+export function density(typed: string): number | string {
+  const [, number = "", unit = ""] = /^(.*?)\s*((?:kg|g|lb)\s*\/.*)?$/i.exec(typed.trim()) ?? [];
+  const factor = unit ? UNITS[unit.replaceAll(" ", "").toLowerCase()] : 1;
+  if (!factor) return `${unit} is no unit of density; kg/m³, g/cm³ and lb/in³ are`;
+  const found = quantity(number, "");
+  if ("problem" in found) return found.problem;
+  return found.value > 0 ? Number((found.value * factor).toPrecision(12)) : "must be greater than 0";
+}
+
+const TYPED = "typed";
+
+export class Weighing {
+  readonly element: HTMLElement;
+  private readonly material = element("select", { id: unique("material") });
+  private readonly density = element("input", { id: unique("density"), type: "text", autocomplete: "off", placeholder: "7850, or 7.85 g/cm³" });
+  private readonly about = element("select", { id: unique("about") });
+  private readonly coordinates = ["x", "y", "z"].map((axis) =>
+    element("input", { type: "text", autocomplete: "off", "aria-label": `${axis} of the point`, placeholder: axis }));
+  private readonly typed: HTMLElement;
+  private readonly point: HTMLElement;
+  private readonly wrong = element("p", { class: "problem", id: unique("weight-problem") });
+  private readonly origin = element("p", { class: "hint" });
+  private weight: Weight = { density: null, material: null, about: null };
+
+  constructor(materials: Material[], private readonly unit: () => LengthUnit, private readonly changed: (weight: Weight) => void) {
+    options(this.material, [["", "none: density 1"],
+      ...materials.map((one): [string, string] => [one.name, `${one.name} (${one.density} kg/m³)`]), [TYPED, "another density …"]]);
+    options(this.about, [["", "the part's origin"], ["centroid", "its centroid"], ["point", "a point …"]]);
+    this.typed = element("div", { class: "field" },
+      element("div", { class: "title" }, element("label", { for: this.density.id }, "Density ", element("i", {}, "ρ")),
+        element("span", { class: "unit" }, "kg/m³")), this.density);
+    this.point = element("div", { class: "point", role: "group", "aria-label": "Point of reference" }, ...this.coordinates);
+    this.element = element("div", { class: "weighing" },
+      element("div", { class: "field" }, element("label", { for: this.material.id }, "Material"), this.material), this.typed,
+      element("div", { class: "field" }, element("label", { for: this.about.id }, "Inertia about"), this.about), this.point,
+      this.wrong, this.origin);
+    this.material.addEventListener("change", () => this.take());
+    this.about.addEventListener("change", () => this.take());
+    for (const input of [this.density, ...this.coordinates]) input.addEventListener("input", () => this.take());
+    this.set(this.weight, "");
+  }
+
+  // origin: where the part's origin is, in words
+  set(weight: Weight, origin: string): void {
+    this.weight = weight;
+    this.material.value = weight.material ?? (weight.density !== null ? TYPED : "");
+    if (weight.density !== null && density(this.density.value) !== weight.density) this.density.value = shown(weight.density);
+    const about = weight.about;
+    this.about.value = Array.isArray(about) ? "point" : about === "centroid" ? "centroid" : "";
+    if (Array.isArray(about)) this.coordinates.forEach((input, i) => {
+      const now = quantity(input.value, this.unit());
+      if (!("value" in now) || now.value !== about[i]) input.value = shown(about[i]!);
+    });
+    this.origin.textContent = origin ? `Origin: ${origin}.` : "";
+    this.arrange();
+  }
+
+  private arrange(): void {
+    this.typed.hidden = this.material.value !== TYPED;
+    this.point.hidden = this.about.value !== "point";
+    this.tell("", []);
+  }
+
+  private take(): void {
+    this.arrange();
+    const given: Weight = { density: null, material: null, about: null };
+    if (this.material.value === TYPED) {
+      const found = density(this.density.value);
+      if (typeof found === "string") {
+        if (this.density.value.trim()) this.tell(found, [this.density]);
+        return;
+      }
+      given.density = found;
+    } else given.material = this.material.value || null;
+    if (this.about.value === "point") {
+      const found = this.coordinates.map((input) => quantity(input.value || "0", this.unit()));
+      const bad = found.findIndex((one) => "problem" in one);
+      if (bad >= 0) return this.tell((found[bad] as { problem: string }).problem, [this.coordinates[bad]!]);
+      given.about = found.map((one) => ("value" in one ? one.value : 0)) as Point;
+    } else if (this.about.value) given.about = "centroid";
+    this.weight = given;
+    this.changed(given);
+  }
+
+  private tell(text: string, at: HTMLElement[]): void {
+    this.wrong.textContent = text;
+    this.wrong.hidden = !text;
+    for (const input of [this.density, ...this.coordinates]) {
+      if (at.includes(input)) {
+        input.setAttribute("aria-invalid", "true");
+        input.setAttribute("aria-describedby", this.wrong.id);
+      } else {
+        input.removeAttribute("aria-invalid");
+        input.removeAttribute("aria-describedby");
+      }
+    }
+  }
+}

@@ -1,0 +1,168 @@
+// What the page computes: typed quantities, states in the address, what is undone, designs of forms.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { ELEMENTS } from "./designer_server.mjs";
+import { moduleOf } from "./page_modules.mjs";
+
+const { quantity, shown } = await moduleOf("form/quantity");
+const { hashOf, stateOf, plain } = await moduleOf("hash");
+const { History } = await moduleOf("history");
+const { designOf, valuesOf, inUnit } = await moduleOf("design");
+const { kindOf, startOf } = await moduleOf("kinds");
+const { range } = await moduleOf("form/ranges");
+const { rowsOf } = await moduleOf("form/points_editor");
+const { listed } = await moduleOf("form/text_editor");
+const { density } = await moduleOf("weighing");
+const { summary, told } = await moduleOf("amounts");
+const { lines } = await moduleOf("comparison");
+
+const kind = (name) => ELEMENTS.kinds.find((one) => one.name === name);
+
+const TYPED = [
+  ["12.7", "mm", 12.7], ["12,7", "mm", 12.7], [" 0.5 in ", "mm", 12.7], ["1/2 in", "mm", 12.7], ['1 1/2"', "mm", 38.1], ["1-1/2 inch", "in", 1.5],
+  ["25.4 mm", "in", 1], ["2 cm", "mm", 20], ["50 µm", "mm", 0.05], ["5 thou", "mm", 0.127], ["−3", "mm", -3], ["-1/4 in", "mm", -6.35],
+  ["1e-3", "", 0.001], [".5", "", 0.5], ["20", "deg", 20], ["20 deg", "deg", 20], ["20°30'", "deg", 20.5], ["20° 15' 36\"", "deg", 20.26],
+  ["-14°30'", "deg", -14.5], ["1 rad", "deg", 180 / Math.PI], ["8", "per inch", 8], ["DP 8", "per inch", 8], ["0.1 in", "mm", 2.54], ["1\u202f1/2 in", "in", 1.5],
+];
+for (const [text, unit, value] of TYPED) {
+  test(`"${text}" is ${value} ${unit}`, () => assert.equal(quantity(text, unit).value, value));
+}
+
+test("words of another parameter name it", () => {
+  assert.deepEqual(quantity("DP 8", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("8 dp", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("m 2,5", "per inch"), { value: 2.5, bare: false, other: "module" });
+  assert.equal(quantity("m 2.5", "mm").other, undefined);
+  assert.equal(quantity("3 m", "mm").value, 3000);
+});
+
+test("what is no value says what is needed", () => {
+  for (const [text, unit] of [["", "mm"], ["ten", "mm"], ["3 kg", "mm"], ["3 mm", "deg"], ["3 mm", ""], ["1,234.5", "mm"], ["1/0", "mm"], ["DP 8", "deg"]]) {
+    assert.ok("problem" in quantity(text, unit), text);
+  }
+});
+
+test("numbers are read as they are shown", () => {
+  for (const value of [0, 1, -2.5, 1e-7, 0.1 + 0.2, 123456.789, -1e21]) {
+    assert.ok(Math.abs(quantity(shown(value), "").value - value) <= 1e-13 * Math.abs(value), shown(value));
+  }
+});
+
+const DESIGNS = [
+  { element: "spur", teeth: [16, 40], module: 3, face_width: 20 },
+  { element: "spur", teeth: 24, profile_shift: -0.1, bore: [null, 12.5] },
+  { element: "cam", programme: "dwell 36, rise 72, dwell 144, return 108 & more + 100%=#?", lift: 1e-7 },
+  { element: "sweep", section: { polygon: [[0, 0], [20, 0], [0, 20]], holes: [] }, layer: "0", length: 30, scale: [0.5, 1] },
+  { element: "sweep", layer: "1,2", section: "upload:1f/a,b \"c\".dxf", words: ["1", "2"], one: [5], none: [], flag: true, nothing: null, empty: "", brace: "{x", tilde: "~a" },
+];
+for (const design of DESIGNS) {
+  test(`a design comes back from the address: ${design.element} ${Object.keys(design).length}`, () => {
+    const state = { design, density: 7.85e3, material: "steel 1.7131", about: [1, -2, 0.5], unit: "in", tab: "mass" };
+    assert.deepEqual(stateOf(hashOf(state)), state);
+    assert.deepEqual(stateOf(hashOf(plain(design))), plain(design));
+    assert.match(hashOf(state), /^#[\x21-\x7e]+$/); // as browsers keep it
+    assert.equal(new URL(`http://a/${hashOf(state)}`).hash.replaceAll("%22", '"'), hashOf(state));
+  });
+}
+
+test("an address is for people to read", () => {
+  assert.equal(hashOf(plain(DESIGNS[0])), "#spur?teeth=16,40&module=3&face_width=20");
+  assert.equal(hashOf({ ...plain(DESIGNS[1]), material: "steel" }), "#spur?teeth=24&profile_shift=-0.1&bore=none,12.5&~material=steel");
+});
+
+test("what is no state is none", () => {
+  for (const hash of ["", "#", "#?a=1", "#spur?=1", "#spur?teeth", "#spur?a=%zz", "#spur?a=[1"]) assert.equal(stateOf(hash), null, hash);
+});
+
+test("what was undone is done again, until something else is done", () => {
+  const history = new History(String, 1);
+  for (const state of [1, 2, 2, 3]) history.settle(state);
+  assert.deepEqual([history.undo(), history.undo(), history.undo()], [2, 1, null]);
+  assert.deepEqual([history.redo(), history.undoable, history.redoable], [2, true, true]);
+  history.settle(4);
+  assert.deepEqual([history.redo(), history.undo(), history.undo(), history.redo()], [null, 2, 1, 2]);
+});
+
+test("a design leaves out what does not apply, and the form remembers it", () => {
+  const pair = kind("spur pair");
+  const values = { teeth: [16, 40], trace: "circular", cutter_radius: 60, odd: 1 };
+  const with_ = designOf(pair, values);
+  assert.deepEqual(with_, { element: "spur", ...values });
+  const without = designOf(pair, { ...values, trace: "straight" });
+  assert.deepEqual(without, { element: "spur", teeth: [16, 40], trace: "straight", odd: 1 });
+  assert.deepEqual(valuesOf(pair, without, values), { teeth: [16, 40], trace: "straight", odd: 1, cutter_radius: 60 });
+  assert.equal(valuesOf(pair, { element: "spur", trace: "circular" }, values).cutter_radius, undefined);
+});
+
+test("another unit of length keeps the part", () => {
+  const pair = kind("spur pair");
+  const inches = inUnit(pair, { teeth: [16, 40], module: 3, face_width: [25.4, null], pressure_angle: 20 }, "mm", "in");
+  assert.deepEqual(inches, { teeth: [16, 40], module: 3, face_width: [1, null], pressure_angle: 20, length_unit: "in" });
+  const section = { polygon: [[0, 0], [25.4, 0], [0, 50.8]], holes: [[[1.27, 1.27], [2.54, 1.27], [1.27, 2.54]]] };
+  const swept = inUnit(kind("sweep"), { section, length: 30, layer: "25.4" }, "mm", "in");
+  assert.deepEqual(swept.section, { polygon: [[0, 0], [1, 0], [0, 2]], holes: [[[0.05, 0.05], [0.1, 0.05], [0.05, 0.1]]] });
+  const back = inUnit(kind("sweep"), swept, "in", "mm");
+  assert.deepEqual(back, { section, length: 30, layer: "25.4", length_unit: "mm" });
+});
+
+test("the number of teeth chooses the kind", () => {
+  assert.equal(kindOf(ELEMENTS.kinds, { element: "spur", teeth: 16 }).name, "spur gear");
+  assert.equal(kindOf(ELEMENTS.kinds, { element: "spur", teeth: [16, null] }).name, "spur pair");
+  assert.equal(kindOf(ELEMENTS.kinds, { element: "nothing" }), null);
+});
+
+test("a kind like the last one takes over what they share", () => {
+  const design = { element: "spur", teeth: [20, 30], diametral_pitch: 8, face_width: 25, bore: 10 };
+  assert.deepEqual(startOf(kind("helical pair"), kind("spur pair"), design), { element: "helical", teeth: [20, 30], face_width: 25, diametral_pitch: 8 });
+  assert.deepEqual(startOf(kind("sweep"), kind("spur pair"), design), kind("sweep").start);
+});
+
+test("sliders stay within the limits and reach the value", () => {
+  const [teeth, module, , width, angle] = kind("spur gear").parameters;
+  for (const [parameter, values] of [[teeth, [3, 24, 10000]], [module, [1e-3, 3, 400]], [width, [0.1, 2e4]], [angle, [1, 20, 59]]]) {
+    for (const value of [null, ...values]) {
+      const { least, most, step } = range(parameter, value, 100);
+      assert.ok(step > 0 && least < most, parameter.name);
+      assert.ok(least > (parameter.above ?? -Infinity) && least >= (parameter.minimum ?? -Infinity), `${parameter.name} ${least}`);
+      assert.ok(most < (parameter.below ?? Infinity) && most <= (parameter.maximum ?? Infinity), `${parameter.name} ${most}`);
+      if (value !== null && value > step) assert.ok(value >= least - step && value <= most, `${parameter.name} ${value}: ${least} to ${most}`);
+    }
+  }
+});
+
+test("points are typed with commas of either sort", () => {
+  assert.deepEqual(rowsOf("0, 0\n1.5,2\n1,5 2\n\n1/2 in;-3", ["x", "y"], "mm"), [[0, 0], [1.5, 2], [1.5, 2], [12.7, -3]]);
+  assert.equal(rowsOf("1 2 3", ["x", "y"], "mm"), "row 1: x, y are needed, such as 0, 10");
+  assert.deepEqual(listed("1 2,5; 3, 4"), [1, 2.5, 3, 4]);
+  assert.match(listed("1 x"), /x/);
+});
+
+test("densities have units of their own", () => {
+  assert.equal(density("7850"), 7850);
+  assert.equal(density("7,85 g/cm³"), 7850);
+  assert.ok(Math.abs(density("0.284 lb/in3") - 7861) < 1);
+  assert.equal(density("0"), "must be greater than 0");
+  assert.match(density("1 kg/l"), /unit/);
+});
+
+const part = (volume, mass_unit = "kg") => ({
+  sizes: { pitch_diameter: { value: 25.4, unit: "mm", symbol: "d" }, contact_ratio: { value: 1.6, unit: "", symbol: "" } },
+  properties: { length_unit: "mm", mass_unit, volume, mass: 0.32361, centroid: [0, 0, 12.7], area: 645.16, principal_moments: [1, 2, 645.16], principal_axes: [] },
+});
+
+test("results in short, in the unit that is shown", () => {
+  assert.equal(summary(part(41230.4), "mm"), "Volume 41\u202f230 mm³, mass 0.324 kg");
+  assert.equal(summary(part(16387.064, "mm³"), "in"), "Volume 1.000 in³");
+  assert.equal(summary({ pinion: part(1), gear: part(2), pair: { sizes: {} } }, "mm"), "Pinion: volume 1.000 mm³, mass 0.324 kg; gear: volume 2.000 mm³, mass 0.324 kg");
+  assert.deepEqual([told(-1234567), told(0.00001234), told(99.996), told(0)], ["−1\u202f235\u202f000", "1.234e−5", "100.0", "0"]);
+});
+
+test("a comparison has both columns in the unit that is shown", () => {
+  const found = lines(part(16387.064), { ...part(32774.128), sizes: {} }, "in");
+  const of = (name) => found.find((line) => line.name === name);
+  assert.deepEqual(of("pitch diameter"), { part: "", name: "pitch diameter", unit: "in", a: 1, b: null });
+  assert.ok(Math.abs(of("volume").a - 1) < 1e-12 && Math.abs(of("volume").b - 2) < 1e-12);
+  assert.equal(of("volume").unit, "in³");
+  assert.equal(of("contact ratio").a, 1.6);
+  assert.ok(Math.abs(of("centroid z").a - 0.5) < 1e-12 && Math.abs(of("principal moment 3").a - 1) < 1e-12);
+});
