@@ -1,7 +1,8 @@
-"""Builds the viewer's script from web/ into a wheel, where that is made from a checkout.
+"""Builds the viewer and the designer page from web/ into a wheel, where that is made from a checkout.
 
-An installation in place needs no Node, and shows still pictures until `make web`; so does a wheel that is made where
-npm is missing or fails, unless GEARWRIGHT_REQUIRE_VIEWER is set, as it is for wheels to be handed on.
+An installation in place needs no Node: views are still pictures there, and `gearwright serve` says how to build its
+page, until `make web`. So it is in a wheel that is made where npm is missing or fails, unless GEARWRIGHT_REQUIRE_WEB is
+set, as it is for wheels to be handed on.
 """
 
 from __future__ import annotations
@@ -14,10 +15,10 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-SCRIPT = "src/gearwright/web_assets/viewer.js"
+ASSETS = "src/gearwright/web_assets"
 
 
-class ViewerBuildHook(BuildHookInterface[Any]):
+class WebBuildHook(BuildHookInterface[Any]):
     """Runs npm for wheels that are no installations in place."""
 
     PLUGIN_NAME = "custom"
@@ -27,16 +28,16 @@ class ViewerBuildHook(BuildHookInterface[Any]):
             return
         root = Path(self.root)
         refusal = _built(root / "web")
-        if refusal and os.environ.get("GEARWRIGHT_REQUIRE_VIEWER"):
-            raise RuntimeError(f"the viewer's script was not built: {refusal}")
+        if refusal and os.environ.get("GEARWRIGHT_REQUIRE_WEB"):
+            raise RuntimeError(f"viewer and designer page were not built: {refusal}")
         if refusal:
-            self.app.display_warning(f"without the view that turns, since its script was not built: {refusal}")
-        if (root / SCRIPT).is_file():
-            build_data["force_include"][str(root / SCRIPT)] = "gearwright/web_assets/viewer.js"
+            self.app.display_warning(f"without the view that turns and the designer page: {refusal}")
+        if (root / ASSETS).is_dir():
+            build_data["force_include"][str(root / ASSETS)] = "gearwright/web_assets"
 
 
 def _built(web: Path) -> str | None:
-    """Builds the script; gives why it could not be, None where it was."""
+    """Builds what browsers load; gives why it could not be, None where it was."""
     npm = shutil.which("npm")
     if npm is None:
         return "npm was not found; install Node 20.19 or newer"

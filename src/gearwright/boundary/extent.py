@@ -55,6 +55,11 @@ def rough_diagonal(boundary: Boundary) -> float:
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
+def edge_diagonal(boundary: Boundary) -> float:
+    """Diagonal of the bounding box of the edges: quicker, and smaller where faces bulge."""
+    return float(np.linalg.norm(np.ptp(np.concatenate(list(_points_on_edges(boundary))), axis=0)))
+
+
 def _points_on_edges(boundary: Boundary) -> Iterator[Array]:
     """Points (n, 3) along all images of the edges, those of one pattern together."""
     for _, group in groupby(boundary.edges, key=lambda edge: (id(edge.pattern), edge.curve.panels)):

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import catalog
 from ..boundary.boundary import Boundary
-from ..boundary.extent import rough_diagonal
+from ..boundary.extent import edge_diagonal
 from ..boundary.sampling import sampling
 from ..colours import BRASS, STEEL
 from ..elements.assembly import alone
@@ -19,7 +19,7 @@ from ..viewer.shells import Shell, shells
 from ..viewer.turning import AT_REST, STEP, Turning
 
 TOLERANCE = 1e-4
-"""How far what is drawn may lie from the exact surface, by the diagonal of each body."""
+"""How far what is drawn may lie from the exact surface, by the diagonal of each body's edges."""
 
 
 class Drawn(Protocol):
@@ -31,8 +31,12 @@ class Drawn(Protocol):
     def boundary(self) -> Boundary: ...
 
 
-def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> bytes:
-    """The message of `viewer.frame` for an element of a kind; known   keys of topologies that the page has."""
+def drawn(kind: catalog.Element, element: Any, number: int | None, known: Collection[str]) -> bytes:
+    """The message of `viewer.frame` for an element of a kind.
+
+    number   of the question that it answers
+    known    keys of topologies that the page has
+    """
     parts: dict[str, Drawn] = {kind.name: element}
     placements, turnings = [np.eye(4)], [AT_REST]
     if kind.members == 2:
@@ -52,6 +56,7 @@ def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> b
     view = alone(element.upward) if kind.members == 1 else _suitable(bodies, list(parts.values()))
     header = {
         "answer": "mesh",
+        "id": number,
         "title": f"{kind.name}: {element.description}",
         "unit": element.length_unit,
         "direction": view.direction,
@@ -62,7 +67,7 @@ def drawn(kind: catalog.Element, element: Any, known: Collection[str] = ()) -> b
 
 
 def _shells(boundary: Boundary) -> list[Shell]:
-    return shells(boundary, sampling(boundary, TOLERANCE * rough_diagonal(boundary)))
+    return shells(boundary, sampling(boundary, TOLERANCE * edge_diagonal(boundary)))
 
 
 def _suitable(bodies: Sequence[DrawnBody], parts: Sequence[Drawn]) -> View:

@@ -7,10 +7,15 @@ from typing import Any
 
 from .. import catalog
 from ..files.formats import FILE_FORMATS
-from ..parameters import Declaration, FileName, Form, Numbers, Points, Several, Table, Text
+from ..parameters import MILLIMETRES, Declaration, FileName, Form, Numbers, Points, Several, Table, Text
 from .kinds import parameters_of
 
 Plain = dict[str, Any]
+
+
+def elements() -> Plain:
+    """Every kind of element, and the units that lengths may be given in."""
+    return {"length_units": list(MILLIMETRES), "kinds": kind_forms()}
 
 
 def kind_forms() -> list[Plain]:

@@ -22,14 +22,14 @@ def answers(request: Mapping[str, Any]) -> Iterator[Answer]:
     """The shape, as `viewer.frame` has it; then sizes and properties, properties of the polyhedron, what is drawn over.
 
     request   "design": names and values; "density": kg/m³, or "material": its name; "have": keys of topologies that
-              the page has already
+              the page has already; "id": what the shape is told with, by which the page knows what it answers
 
     Raises GearwrightError where the design cannot be built, or the density is none.
     """
     design = design_of(request["design"])
     element = built_element(design)
     density = density_of(request)
-    yield drawn(design.kind, element, frozenset(request.get("have", ())))
+    yield drawn(design.kind, element, request.get("id"), frozenset(request.get("have", ())))
     built = built_from(design.kind, element, density, 0.0)
     yield {
         "answer": "values",
