@@ -244,7 +244,7 @@ def test_a_file_that_is_being_made_is_cancelled_with_its_worker(client):
     while client.get("/api/health").json()["workers"]["heavy"]["busy"]:
         time.sleep(0.02)
     told, _ = done(client, design=WHEEL, what="body", suffix=".stl")
-    assert told["state"] == "done"
+    assert told["state"] == "done", told
 
 
 def test_an_upload_stands_for_a_file_in_designs(client):
