@@ -64,11 +64,11 @@ def live(request):
                 time.sleep(0.05)
                 yield {"answer": "values", "k": k}
         case "large":
-            yield frame({"answer": "mesh"}, bytes(design["bytes"]))
+            yield frame({"answer": "mesh", "id": request["id"]}, bytes(design["bytes"]))
         case "sleep" | "die" | "refuse" | "fault" as word:
             yield from globals()[word](request)
         case _:
-            yield frame({"answer": "mesh", "title": design.get("title")}, b"\1\2\3\4")
+            yield frame({"answer": "mesh", "id": request["id"], "title": design.get("title")}, b"\1\2\3\4")
             yield {"answer": "values", "have": request.get("have")}
 
 

@@ -127,6 +127,7 @@ class Files:
         if file.seconds is None:
             file.seconds = time.monotonic() - file.begun
         if file.state != "done":
+            file.stage = ""
             shutil.rmtree(file.folder, ignore_errors=True)
         await asyncio.sleep(self._kept)
         self.forget(file)
