@@ -110,6 +110,25 @@ test("an ask that is not answered in time is overtaken, and what comes late is d
   assert.equal(await page.getByText("never seen").count(), 0);
 });
 
+test("a slow server is not overtaken by a hand that never rests", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16" });
+  await until(page, () => document.querySelector(".strip").textContent);
+  const shown = new Set();
+  server.answers = (socket, ask) => setTimeout(() => {
+    if (ask.id === server.asks.at(-1).id) shown.add(ask.id);
+    prompt(socket, ask);
+  }, 900); // a server that is busy answers only the newest
+  await field(page, "face_width").locator('input[type="range"]').evaluate((slider) => new Promise((done) => {
+    let count = 0;
+    const timer = setInterval(() => {
+      slider.value = `${10 + (count++ % 40) / 2}`;
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+      if (count > 100) done(clearInterval(timer));
+    }, 50);
+  }));
+  assert.ok(shown.size >= 2, `${shown.size} answers while it was pulled, of ${server.asks.length} asks`);
+});
+
 test("a refusal stands at its field, in the server's words; the last good model stays; the focus too", async (t) => {
   const { page, server } = await opened(t, { hash: "#spur?teeth=16,40&module=3&face_width=20,20" });
   await until(page, () => document.querySelector(".strip").textContent);

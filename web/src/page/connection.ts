@@ -13,8 +13,9 @@ export interface Listener {
   busy(waiting: boolean): void;
 }
 
-// While an answer is under way the next ask waits: for so long, or for so long after its mesh (milliseconds).
-const PATIENCE = 600;
+// While an answer is under way the next ask waits: for so long, or for so long after its mesh (milliseconds). Where
+// answers take longer the wait grows with them, else a slider in hand would overtake every one of them.
+const PATIENCE = { least: 600, most: 10_000 };
 const REST = 150;
 const RETRY = { least: 500, most: 10_000 };
 const LAST = ["values", "refused", "failed", "done"]; // with one of these the next ask may go
@@ -29,6 +30,8 @@ export class Connection {
   private planned = 0; // the frame in which the next ask goes
   private timer = 0;
   private retry = RETRY.least;
+  private patience = PATIENCE.least;
+  private sent = 0; // when the last ask went
   private closed = false;
   private whole = false; // whether the next answer is to hold all topologies
 
@@ -68,13 +71,19 @@ export class Connection {
     const ask: Ask = { ask: "design", id: this.id, turn: 0, have: this.whole ? [] : this.known.held(), ...wish };
     this.whole = false;
     this.socket.send(JSON.stringify(ask));
-    this.after(PATIENCE);
+    this.sent = performance.now();
+    this.after(this.patience, () => {
+      this.patience = Math.min(2 * this.patience, PATIENCE.most);
+    });
   }
 
   // Lets the next ask go after so long, whatever has been answered until then.
-  private after(wait: number): void {
+  private after(wait: number, late: () => void = () => {}): void {
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.next(), wait);
+    this.timer = window.setTimeout(() => {
+      late();
+      this.next();
+    }, wait);
   }
 
   private next(): void {
@@ -111,6 +120,8 @@ export class Connection {
 
   // A topology that is not kept any more is asked for again.
   private drawn(data: ArrayBuffer): void {
+    const took = performance.now() - this.sent;
+    this.patience = Math.min(Math.max(2 * took, PATIENCE.least), PATIENCE.most);
     try {
       this.listener.mesh(decodeMesh(data, this.known));
       this.after(REST);

@@ -164,6 +164,7 @@ export class Designer {
     if (kind !== this.kind) {
       this.kind = kind;
       this.form = this.formOf(kind);
+      this.pane.forget();
       this.tables.clear();
       this.copying.clear();
       this.parts.strip.textContent = "";
