@@ -57,6 +57,7 @@ export class ViewPanel {
       ...["x", "y", "z"].map((name, axis) =>
         button(name, `Look from +${name} (${name.toUpperCase()})`, () => actions.look(axis))),
       this.disclosure);
+    this.surfaces.hidden = true;
     this.offer([], false, false, false);
   }
 
