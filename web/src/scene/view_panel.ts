@@ -43,7 +43,7 @@ export class ViewPanel {
     });
     opacity.limit(0, 90);
     opacity.set(0);
-    this.contact = this.tick("lines of contact", "contact", "Lines of contact, at turn 0°", actions.contact);
+    this.contact = this.tick("lines of contact", "contact", "Lines of contact", actions.contact);
     this.inertia = this.inertiaRows();
     this.panel = element("div", { class: "mv-panel" },
       this.tick("edges", "edges", "Sharp edges", actions.drawn),
