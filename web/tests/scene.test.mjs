@@ -321,6 +321,28 @@ test("values of a pair go to the members of their names", async () => {
   await page.close();
 });
 
+test("what turns has an axis, what only slides has none", async () => {
+  const page = await opened(one());
+  for (const [told, drawn] of [[{}, true], [{ spin: 1 }, true], [{ slide: [0.1, 0, 0] }, false]]) {
+    await show(page, { ...one(told), turns: 90 });
+    await from(page, "y");
+    await keep(page, "with");
+    await tick(page, "Axes of the parts", false);
+    await keep(page, "without");
+    await compare(page, "with", "without", "axis");
+    const box = await extent(page, "axis", "a > 0");
+    if (drawn) {
+      // the wheel's width, and at either end 0.12 of the radius of the scene, upright through its middle
+      const high = 6 + 0.24 * (await page.evaluate(() => view.stage.radius));
+      assert.ok(Math.abs((box.bottom - box.top) * (await unitsAPixel(page)) / high - 1) < 0.03);
+      assert.ok(box.right - box.left <= 4);
+      assert.ok(Math.abs(middle(box)[0] - middle(await extent(page, "without", "a > 250"))[0]) < 1.5);
+    } else assert.equal(box.number, 0);
+    await tick(page, "Axes of the parts");
+  }
+  await page.close();
+});
+
 test("reference surfaces are drawn on request, by kind, as large as they are", async () => {
   const page = await opened(one());
   await tick(page, "Axes of the parts", false);
