@@ -56,7 +56,7 @@ def _plain(value: Any) -> Any:
 
 
 def _file_name(value: str) -> str:
-    """A file's name as whoever has the file knows it: that of an upload, and of one in a folder of this machine, alone."""
+    """A file's name as whoever has it knows it: of an upload, or a file of this machine, the last part alone."""
     return PurePath(value).name if value.startswith(UPLOADED) or PurePath(value).is_absolute() else value
 
 
