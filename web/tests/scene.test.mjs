@@ -321,13 +321,35 @@ test("values of a pair go to the members of their names", async () => {
   await page.close();
 });
 
+test("what turns has an axis, what only slides has none", async () => {
+  const page = await opened(one());
+  for (const [told, drawn] of [[{}, true], [{ spin: 1 }, true], [{ slide: [0.1, 0, 0] }, false]]) {
+    await show(page, { ...one(told), turns: 90 });
+    await from(page, "y");
+    await keep(page, "with");
+    await tick(page, "Axes of the parts", false);
+    await keep(page, "without");
+    await compare(page, "with", "without", "axis");
+    const box = await extent(page, "axis", "a > 0");
+    if (drawn) {
+      // the wheel's width, and at either end 0.12 of the radius of the scene, upright through its middle
+      const high = 6 + 0.24 * (await page.evaluate(() => view.stage.radius));
+      assert.ok(Math.abs((box.bottom - box.top) * (await unitsAPixel(page)) / high - 1) < 0.03);
+      assert.ok(box.right - box.left <= 4);
+      assert.ok(Math.abs(middle(box)[0] - middle(await extent(page, "without", "a > 250"))[0]) < 1.5);
+    } else assert.equal(box.number, 0);
+    await tick(page, "Axes of the parts");
+  }
+  await page.close();
+});
+
 test("reference surfaces are drawn on request, by kind, as large as they are", async () => {
   const page = await opened(one());
   await tick(page, "Axes of the parts", false);
   assert.equal(await page.getByLabel("Show pitch surfaces").count(), 0);
   await from(page, "z");
   const surfaces = [
-    { name: "pitch cone", kind: "pitch", form: "cone", half_angle: 60, least: 2, most: 13 },
+    { name: "pitch cone", kind: "pitch", form: "cone", half_angle: 60, apex: -1, least: 2, most: 12 },
     { name: "tip cylinder", kind: "tip", form: "cylinder", radius: 24, least: 0, most: 6 },
     { name: "plane", kind: "face", form: "plane", point: [4, 0, 8], normal: [0, 0, 1], sides: [10, 30] },
   ];
@@ -353,21 +375,21 @@ test("reference surfaces are drawn on request, by kind, as large as they are", a
 
 const RED = "r > 180 && g < 60 && b < 70";
 
-test("lines of contact are those of the pair as it stands", async () => {
+test("lines of contact are those of the turn next to now, pitch by pitch", async () => {
   const page = await opened(PAIR);
   await from(page, "y");
-  await slide(page, "Turn of the pinion", 5);
-  await page.evaluate(() => view.setOverlays({ bodies: [], lines: [{ name: "lines of contact", points: [[[24, 0, 2], [24, 0, 18]]] }] }));
+  const steps = [8, 16, 4].map((high) => [[[24, 0, 2], [24, 0, 2 + high]]]);
+  await page.evaluate((steps) => view.setOverlays({ bodies: [], lines: [{ name: "lines of contact", pitch: 22.5, steps }] }), steps);
+  await keep(page, "none");
+  assert.equal((await extent(page, "none", RED)).number, 0);
   await tick(page, "Lines of contact");
-  const turn = await page.getByLabel("Turn of the pinion").evaluate((input) => input.valueAsNumber);
-  assert.equal(turn, 0);
-  await keep(page, "drawn");
   const scale = await unitsAPixel(page);
-  const box = await extent(page, "drawn", RED);
-  assert.ok(Math.abs((box.bottom - box.top) * scale - 16) < 4 * scale, `${(box.bottom - box.top) * scale}`);
-  await slide(page, "Turn of the pinion", 5);
-  await keep(page, "turned");
-  assert.equal((await extent(page, "turned", RED)).number, 0);
+  for (const [turn, high] of [[0, 8], [7.5, 16], [-7.5, 4], [3, 8], [20, 8], [45 + 15, 4], [-45 - 15, 16]]) {
+    await slide(page, "Turn of the pinion", turn);
+    await keep(page, "drawn");
+    const box = await extent(page, "drawn", RED);
+    assert.ok(Math.abs((box.bottom - box.top) * scale - high) < 4 * scale, `${turn}: ${(box.bottom - box.top) * scale}`);
+  }
   await page.close();
 });
 

@@ -10,7 +10,8 @@ export interface Surface {
   name: string;
   kind: string; // pitch, base, face, root, tip
   form: "cone" | "cylinder" | "plane";
-  half_angle?: number; // degrees; the apex is the origin of the part's frame, the axis its z
+  half_angle?: number; // degrees
+  apex?: number; // of a cone, on the part's z
   radius?: number;
   least?: number; // along z
   most?: number;
@@ -21,7 +22,14 @@ export interface Surface {
 
 export interface Overlays {
   bodies: { name: string; surfaces: Surface[] }[];
-  lines: { name: string; points: Triple[][] }[]; // in the frame of the scene
+  lines: ContactSteps[];
+}
+
+// Lines along which a pair touches while its pinion turns by a pitch.
+export interface ContactSteps {
+  name: string;
+  pitch: number; // degrees of the pinion, after which they repeat
+  steps: Triple[][][]; // polylines at the turns k / count · pitch, in the frame of the scene
 }
 
 // How a part's mass is spread, in its own frame.

@@ -1,24 +1,33 @@
-// Where the flanks touch: lines of the pair as it stands, so shown only while it stands there.
+// Where the flanks touch: lines at some turns over a pitch, of which those of the turn next to now are shown.
 
 import * as three from "three";
-import type { Overlays } from "./answers";
+import type { ContactSteps } from "./answers";
 import { along, discard, strokes } from "./strokes";
 
 const COLOUR = "#d1242f";
 
 export class ContactLines {
   readonly group = new three.Group(); // in the frame of the scene
-  private lines = new three.Group();
+  private steps: three.Object3D[][] = []; // of each kind of lines
+  private pitches: number[] = [];
 
-  show(lines: Overlays["lines"]): void {
-    discard(this.lines);
-    this.lines = new three.Group();
-    const ends = lines.flatMap((line) => line.points.flatMap(along));
-    if (ends.length) this.lines.add(strokes(ends, COLOUR, 3));
-    this.group.add(this.lines);
+  show(lines: readonly ContactSteps[]): void {
+    for (const step of this.steps.flat()) discard(step);
+    this.pitches = lines.map((line) => line.pitch);
+    this.steps = lines.map((line) =>
+      line.steps.map((touching) => {
+        const ends = touching.flatMap(along);
+        return ends.length ? strokes(ends, COLOUR, 3) : new three.Group();
+      }));
+    this.group.add(...this.steps.flat());
   }
 
+  // turn: of the pinion, degrees
   at(turn: number, wanted: boolean): void {
-    this.group.visible = wanted && Math.abs(turn) < 1e-9;
+    this.steps.forEach((steps, line) => {
+      const number = Math.round((turn / this.pitches[line]!) * steps.length) % steps.length;
+      const now = number < 0 ? number + steps.length : number;
+      steps.forEach((step, k) => (step.visible = wanted && k === now));
+    });
   }
 }

@@ -28,7 +28,9 @@ export class Marks {
     discard(this.group);
     this.group = new three.Group();
     const [least, most] = this.body.ends();
-    if (wanted.axes) this.group.add(strokes(centreLine(least - PAST * radius, most + PAST * radius), ink, 1.25));
+    const { spin, slide } = this.body.solid;
+    const turns = spin !== 0 || slide.every((one) => one === 0); // what only slides has no axis
+    if (wanted.axes && turns) this.group.add(strokes(centreLine(least - PAST * radius, most + PAST * radius), ink, 1.6));
     if (wanted.centroid && this.spread) this.group.add(inertia(this.spread, wanted.measure, unit, 0.5 * radius, shown));
     for (const surface of this.surfaces) if (wanted.kinds.has(surface.kind)) this.group.add(reference(surface, cut));
     this.body.placed.add(this.group);

@@ -172,7 +172,7 @@ export class ModelView {
       look: (axis) => look(axis === null ? undefined : direction(axis, false, stage.camera.up)),
       drawn: () => this.dress(),
       marked: () => this.mark(),
-      contact: () => this.toContact(),
+      contact: () => this.turnTo(this.running.value()),
     }, cutting.row, speed);
     panel.disclosure.open = this.root.clientWidth >= WIDE;
     panel.disclosure.addEventListener("toggle", () => this.resized());
@@ -258,12 +258,6 @@ export class ModelView {
     for (const body of this.bodies) body.turnTo(degrees);
     this.contact.at(degrees, this.choices.contact);
     this.stage?.draw();
-  }
-
-  // Lines of contact are those of the pair as it stands: to see them is to go there.
-  private toContact(): void {
-    this.running.stop();
-    this.running.set(0);
   }
 
   private taken(): [number, number, number, number] {

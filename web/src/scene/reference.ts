@@ -35,10 +35,10 @@ interface Drawn {
   rims: Triple[][];
 }
 
-// A cylinder, or a cone about z whose apex is the origin.
+// A cylinder, or a cone, about z.
 function round(surface: Surface): Drawn {
-  const { least = 0, most = 0, radius, half_angle } = surface;
-  const radiusAt = (z: number) => radius ?? Math.abs(z * Math.tan((half_angle ?? 0) * DEGREE));
+  const { least = 0, most = 0, radius, half_angle, apex = 0 } = surface;
+  const radiusAt = (z: number) => radius ?? Math.abs((z - apex) * Math.tan((half_angle ?? 0) * DEGREE));
   const rims = [least, most].map((z) =>
     Array.from({ length: AROUND + 1 }, (_, k): Triple => {
       const angle = (2 * Math.PI * k) / AROUND;

@@ -20,7 +20,7 @@ export class Running {
 
   // most: degrees either way; a full turn begins anew, less goes back and forth
   constructor(most: number, private readonly turned: (degrees: number) => void) {
-    this.turn = slider("Turn of the pinion, degrees", (degrees) => `${degrees.toFixed(1)}°`, (degrees) => this.set(degrees));
+    this.turn = slider("Turn of the pinion, degrees", (degrees) => `${degrees.toFixed(1).replace(/^-(?=[0.]*$)/, "")}°`, (degrees) => this.set(degrees));
     this.limit(most);
     this.play = button("▶", "Run", () => this.toggle());
     this.still.addEventListener("change", () => this.name());

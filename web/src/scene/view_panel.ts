@@ -43,7 +43,7 @@ export class ViewPanel {
     });
     opacity.limit(0, 90);
     opacity.set(0);
-    this.contact = this.tick("lines of contact", "contact", "Lines of contact, at turn 0°", actions.contact);
+    this.contact = this.tick("lines of contact", "contact", "Lines of contact", actions.contact);
     this.inertia = this.inertiaRows();
     this.panel = element("div", { class: "mv-panel" },
       this.tick("edges", "edges", "Sharp edges", actions.drawn),
@@ -57,6 +57,7 @@ export class ViewPanel {
       ...["x", "y", "z"].map((name, axis) =>
         button(name, `Look from +${name} (${name.toUpperCase()})`, () => actions.look(axis))),
       this.disclosure);
+    this.surfaces.hidden = true;
     this.offer([], false, false, false);
   }
 
