@@ -146,7 +146,7 @@ test("densities have units of their own", () => {
 });
 
 const part = (volume, mass_unit = "kg") => ({
-  sizes: { pitch_diameter: { value: 25.4, unit: "mm", symbol: "d" }, contact_ratio: { value: 1.6, unit: "", symbol: "" } },
+  sizes: { pitch_diameter: { value: 25.4, unit: "mm", symbol: "d" }, disk_area: { value: 1290.32, unit: "mm^2", symbol: "A" }, contact_ratio: { value: 1.6, unit: "", symbol: "" } },
   properties: { length_unit: "mm", mass_unit, volume, mass: 0.32361, centroid: [0, 0, 12.7], area: 645.16, principal_moments: [1, 2, 645.16], principal_axes: [] },
 });
 
@@ -163,6 +163,7 @@ test("a comparison has both columns in the unit that is shown", () => {
   assert.deepEqual(of("pitch diameter"), { part: "", name: "pitch diameter", unit: "in", a: 1, b: null });
   assert.ok(Math.abs(of("volume").a - 1) < 1e-12 && Math.abs(of("volume").b - 2) < 1e-12);
   assert.equal(of("volume").unit, "in³");
+  assert.ok(Math.abs(of("disk area").a - 2) < 1e-12 && of("disk area").unit === "in²");
   assert.equal(of("contact ratio").a, 1.6);
   assert.ok(Math.abs(of("centroid z").a - 0.5) < 1e-12 && Math.abs(of("principal moment 3").a - 1) < 1e-12);
 });

@@ -30,7 +30,7 @@ function amounts(document: Document, unit: LengthUnit): Found {
       if (typeof value === "number") found.set(`${part}/${name}`, { part, name: words(name), unit: its, value });
     };
     for (const [name, size] of Object.entries(one.sizes ?? {})) {
-      const power = ["", "mm", "mm²", "mm³"].indexOf(size.unit.replace("in", "mm"));
+      const power = ["", "mm", "mm^2", "mm^3"].indexOf(size.unit.replace(/^in/, "mm"));
       if (power > 0 && typeof size.value === "number") {
         put(name, inShown(size.value, power, size.unit.startsWith("in") ? "in" : "mm", unit), powerWord(unit, power));
       } else put(name, size.value, size.unit === "deg" ? "°" : size.unit);

@@ -65,6 +65,13 @@ export class Pane {
     if (this.values) this.watcher.values(this.values, this.approximation);
   }
 
+  // Another kind of thing comes: what is known of the last one is of no use.
+  forget(): void {
+    this.values = this.approximation = null;
+    this.view.setValues(null);
+    this.view.setOverlays(null);
+  }
+
   // What is shown is not what the form says.
   stale(): void {
     this.old.hidden = !this.showing;

@@ -52,7 +52,8 @@ export class DesignForm {
     }
     const others = problems.filter((problem) => problem.parameter === null || !known.has(problem.parameter));
     const lines = others.map((problem) => element("li", {}, problem.subject ? `${problem.subject}: ` : "", problem.message));
-    this.top.replaceChildren(...(headline ? [element("p", {}, headline), ...(lines.length ? [element("ul", {}, ...lines)] : [])] : []));
+    const told = headline && (lines.length > 0 || problems.length === 0); // else it is all at the fields
+    this.top.replaceChildren(...(told ? [element("p", {}, headline), ...(lines.length ? [element("ul", {}, ...lines)] : [])] : []));
   }
 
   // Problems that keep the form from being a design at all.
