@@ -72,7 +72,7 @@ class Pool:
 
     def start(self) -> None:
         """Begins to start the workers; jobs can be submitted at once."""
-        for _ in range(self._size + self._spares):
+        for _ in range(self._size):
             self._start_one()
 
     def submit(self, source: str, request: Any, *, seconds: float) -> Job:
@@ -102,6 +102,12 @@ class Pool:
             one.kill()
         await asyncio.gather(*(asyncio.to_thread(one.end) for one in processes), *self._tasks)
 
+    def _start_spares(self) -> None:
+        """Once, when the first worker is ready, so as not to hold it up."""
+        spares, self._spares = self._spares, 0
+        for _ in range(spares):
+            self._start_one()
+
     def _start_one(self) -> None:
         if self._closed:
             return
@@ -114,7 +120,7 @@ class Pool:
         process = Process(self._memory, self._warm)
         try:
             await asyncio.to_thread(process.start, loop, self._arrived, self._lost)
-        except OSError:  # no more processes: try again, rather than lose a worker for good
+        except (OSError, EOFError, RuntimeError):  # no more processes: try again, rather than lose a worker for good
             process.gone = True
         if self._closed:
             await asyncio.to_thread(process.end)
@@ -141,6 +147,7 @@ class Pool:
             if word == "ready":
                 process.ready = True
                 self._dispatch()
+                self._start_spares()
             elif process in self._running:
                 self._running[process].put(value)
             elif not any(one.ready for one in self._processes):
