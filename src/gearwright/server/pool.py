@@ -65,11 +65,6 @@ class Pool:
             alive=len(self._processes), busy=len(self._running), replaced=self._replaced, waiting=len(self._waiting)
         )
 
-    @property
-    def pids(self) -> list[int]:
-        """The processes that live, busy ones first."""
-        return [one.pid for one in sorted(self._processes, key=lambda one: one not in self._running)]
-
     def start(self) -> None:
         """Begins to start the workers; jobs can be submitted at once."""
         for _ in range(self._size):
