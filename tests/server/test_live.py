@@ -7,7 +7,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 
 from gearwright.server.job_names import JobNames
-from gearwright.server.live import Limits, numbered
+from gearwright.server.live import Limits
 
 from . import work
 from .serving import running
@@ -46,25 +46,12 @@ def answers(connection, number, last="done"):
 
 def header(frame):
     length = int.from_bytes(frame[:4], "little")
-    assert (4 + length) % 8 == 0
     return {**json.loads(frame[4 : 4 + length]), "buffers": frame[4 + length :]}
 
 
 def workers(server):
     with server.client() as client:
         return client.get("/api/health").json()["workers"]["quick"]
-
-
-@pytest.mark.parametrize("number", [0, 7, 123456789])
-def test_a_frame_is_numbered_and_keeps_its_buffers_where_they_can_be_read(number):
-    for length in range(9):
-        frame = work.frame({"answer": "mesh", "title": "x" * length}, b"\1\2\3\4")
-        assert header(numbered(frame, number)) == {
-            "id": number,
-            "answer": "mesh",
-            "title": "x" * length,
-            "buffers": b"\1\2\3\4",
-        }
 
 
 def test_answers_come_in_their_order_each_with_the_id_it_answers(live):
@@ -131,6 +118,8 @@ def test_what_is_no_json_is_told_and_the_connection_goes_on(live, text, told):
         ({"ask": "desing", "id": 5, "design": {}}, "ask"),
         ({"ask": "design", "id": 5, "design": {}, "desnity": 3}, "desnity"),
         ({"ask": "design", "id": 5, "design": {}, "have": "a"}, "have"),
+        ({"ask": "design", "id": 5, "design": {}, "have": [[]]}, "have"),
+        ({"ask": "design", "id": 5, "design": {}, "about": [1, "y", 2]}, "about"),
     ],
 )
 def test_what_is_no_request_is_refused_by_its_entry(live, asked, subject):
@@ -259,3 +248,23 @@ def test_scripts_without_an_origin_are_served(server):
     with server.live(origin=None) as connection:
         ask(connection, 1)
         assert answers(connection, 1)
+
+
+def test_a_real_design_is_answered_whole():
+    design = {"element": "spur", "teeth": [16, 40], "module": 3, "face_width": 20}
+    with running() as server, server.live() as connection:
+        ask(connection, 4, **design)
+        told = answers(connection, 4)
+        assert [one["answer"] for one in told if one["answer"] != "stage"] == [
+            "mesh",
+            "values",
+            "overlays",
+            "approximation",
+            "done",
+        ]
+        ask(connection, 5, **design | {"module": -3})
+        refused = answers(connection, 5, "refused")[-1]
+        assert [problem["parameter"] for problem in refused["problems"]] == ["module"]
+        values = next(one for one in told if one["answer"] == "values")
+        with server.client() as client:
+            assert client.post("/api/build", json={"design": design}).json() == values["document"]

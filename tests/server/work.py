@@ -64,11 +64,11 @@ def live(request):
                 time.sleep(0.05)
                 yield {"answer": "values", "k": k}
         case "large":
-            yield frame({"answer": "mesh"}, bytes(design["bytes"]))
+            yield frame({"answer": "mesh", "id": request["id"]}, bytes(design["bytes"]))
         case "sleep" | "die" | "refuse" | "fault" as word:
             yield from globals()[word](request)
         case _:
-            yield frame({"answer": "mesh", "title": design.get("title")}, b"\1\2\3\4")
+            yield frame({"answer": "mesh", "id": request["id"], "title": design.get("title")}, b"\1\2\3\4")
             yield {"answer": "values", "have": request.get("have")}
 
 
@@ -77,3 +77,7 @@ def plot(request):
     axis = {"label": "x", "unit": "mm"}
     line = {"name": "a", "x": [0, 1], "y": [0, None], "style": "solid"}
     yield {"title": "t", "x": axis, "y": axis, "equal": False, "lines": [line], "log": "none", "notes": []}
+
+
+def texts(request):
+    yield dict.fromkeys(("toml", "python", "command"), request["design"].get("element", ""))

@@ -55,7 +55,10 @@ def serve(
 
             threading.Thread(target=webbrowser.open, args=(at.address,), daemon=True).start()
 
-    serve_at(at, ready)
+    try:
+        serve_at(at, ready)
+    finally:
+        at.listener.close()
     print("Gearwright's designer page has ended.", file=sys.stderr)
     return DONE
 

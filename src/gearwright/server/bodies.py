@@ -23,11 +23,17 @@ _TYPES: Mapping[str, tuple[type, ...]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """An entry of a body. types   of JSON; choices   the texts accepted, any where there are none"""
+    """An entry of a body.
+
+    types     of JSON
+    choices   the texts accepted, any where there are none
+    items     types of what a list holds, any where there are none
+    """
 
     types: tuple[str, ...]
     words: str
     choices: tuple[str, ...] = ()
+    items: tuple[str, ...] = ()
     required: bool = False
 
     @property
@@ -42,12 +48,19 @@ class Field:
 
     def problem(self, value: object) -> str | None:
         """Why a value is not accepted; None where it is."""
-        fitting = any(isinstance(value, _TYPES[one]) for one in self.types)
-        if not fitting or (isinstance(value, bool) and "boolean" not in self.types):
+        if not _fits(value, self.types):
             return f"{' or '.join(self.types)} is needed: {self.words}"
+        if self.items and isinstance(value, list) and not all(_fits(one, self.items) for one in value):
+            return f"each of {self.words} is {' or '.join(self.items)}"
         if self.choices and isinstance(value, str) and value not in self.choices:
             return f"choose one of {', '.join(self.choices)}{did_you_mean(value, self.choices)}"
         return None
+
+
+def _fits(value: object, types: tuple[str, ...]) -> bool:
+    """Whether a value is of one of these types; True and False are no numbers."""
+    fitting = any(isinstance(value, _TYPES[one]) for one in types)
+    return fitting and ("boolean" in types or not isinstance(value, bool))
 
 
 _DESIGN = Field(types=("object",), words="a design, by the keys of design files", required=True)
@@ -74,8 +87,12 @@ ASK = {
     "id": Field(types=("integer",), words="number that answers come with", required=True),
     **BUILD,
     "turn": Field(types=("number", "null"), words="angle by which a pair's pinion is turned (degrees)"),
-    "about": Field(types=("array", "string", "null"), words="the point that inertia is about: [x, y, z] or a word"),
-    "have": Field(types=("array",), words="keys of topologies that are kept"),
+    "about": Field(
+        types=("array", "string", "null"),
+        words="the point that inertia is about: [x, y, z] or a word",
+        items=("number",),
+    ),
+    "have": Field(types=("array",), words="keys of topologies that are kept", items=("string",)),
 }
 
 

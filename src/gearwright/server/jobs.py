@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any
 
 from .. import catalog
+from ..designs import forms
 from ..designs.design import ELEMENT, design_of
 from ..designs.design_file import toml_table
 from ..designs.document import built_document, plain
-from ..designs.forms import kind_forms
 from ..designs.kinds import commands, parameters_of
 from ..designs.requested import requested
 from ..designs.schema import design_schema
 from ..errors import GearwrightError, GeometryError, Problem, ProblemsError
-from ..parameters import MILLIMETRES, FileName
+from ..parameters import FileName
 from ..sources import load
 from .job_names import PREFIX
 from .worker import Answer
@@ -27,7 +27,7 @@ from .worker import Answer
 def elements(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """{"length_units", "kinds"}: every kind of element with its form."""
     del request
-    yield {"length_units": list(MILLIMETRES), "kinds": plain(kind_forms())}
+    yield plain(forms.elements())
 
 
 def suffixes(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:

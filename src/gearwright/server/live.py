@@ -64,14 +64,6 @@ class Connections:
             self.count -= 1
 
 
-def numbered(frame: bytes, number: int) -> bytes:
-    """A binary message, whose header in JSON then says which request it answers."""
-    length = int.from_bytes(frame[:4], "little")
-    header = b'{"id":%d,' % number + frame[5 : 4 + length].rstrip(b" ")
-    header += b" " * (-(4 + len(header)) % 8)
-    return b"".join([len(header).to_bytes(4, "little"), header, memoryview(frame)[4 + length :]])
-
-
 class _Connection:
     """One of them: what was asked last, and the job that answers it."""
 
@@ -154,7 +146,7 @@ class _Connection:
                     ended = ended or answer.get("answer") == "done"
                     await self._send({"id": number, **answer})
                 else:
-                    await self._sent(self._websocket.send_bytes(numbered(answer, number)))
+                    await self._sent(self._websocket.send_bytes(answer))
             if not ended:
                 await self._send({"answer": "done", "id": number, "seconds": round(time.monotonic() - begun, 4)})
         except JobCancelledError:
