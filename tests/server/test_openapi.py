@@ -21,7 +21,7 @@ CHECKS = [not_a_server_error, status_code_conformance, content_type_conformance,
 
 @pytest.fixture(scope="module")
 def server():
-    with running(jobs=JobNames(plot=f"{work.__name__}:plot"), rate=(1e9, 1e9)) as one:
+    with running(jobs=JobNames(plot=f"{work.__name__}:plot", texts=f"{work.__name__}:texts"), rate=(1e9, 1e9)) as one:
         yield one
 
 

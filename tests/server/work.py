@@ -77,3 +77,7 @@ def plot(request):
     axis = {"label": "x", "unit": "mm"}
     line = {"name": "a", "x": [0, 1], "y": [0, None], "style": "solid"}
     yield {"title": "t", "x": axis, "y": axis, "equal": False, "lines": [line], "log": "none", "notes": []}
+
+
+def texts(request):
+    yield dict.fromkeys(("toml", "python", "command"), request["design"].get("element", ""))

@@ -64,7 +64,8 @@ export function frame(id, title = `model ${id}`) {
 
 const properties = (volume) => ({
   length_unit: "mm", mass_unit: "kg", volume, mass: volume * 7.85e-6, centroid: [0, 0, 10], area: 100,
-  principal_moments: [1, 2, 3], principal_axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+  principal_moments: [1, 2, 3], principal_axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], radii_of_gyration: [4, 5, 6], density: 7.85e-6,
+  bounding_box: [[-24, -24, 0], [24, 24, 20]], error_bound: 2e-15, central_inertia: [[1, 0, 0], [0, 2, 0], [0, 0, 3]],
 });
 export const values = (id, volume = 41230) => ({
   answer: "values", id, remarks: [], texts: { toml: "", python: "", command: "" },

@@ -86,7 +86,7 @@ def contact_lines(pair: BevelPair) -> Chart:
     return Chart(
         title=f"Lines of contact on the pinion's driving flank, {pair.description}",
         x=Axis(label="cone distance", unit=unit),
-        y=Axis(label="height above the pitch cone", unit=unit),
+        y=Axis(label="height above pitch cone", unit=unit),
         equal=True,
         lines=lines,
         notes=_notes(pair, lines_over_a_pitch(pair).lengths),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Mapping
+from pathlib import PurePath
 from typing import Any
 
 from ..parameters import Declaration, call
@@ -23,7 +24,8 @@ _COLUMNS = 88
 
 def texts(design: Design) -> dict[str, str]:
     """{"toml": …, "python": …, "command": …}: only what differs from the defaults; uploaded files by their names."""
-    given = {name: _named(value) for name, value in _differing(design).items()}
+    files = {name: _file_name(value) for name, value in design.file_names.items()}
+    given = {name: files.get(name, value) for name, value in _differing(design).items()}
     return {
         "toml": toml_text({ELEMENT: design.kind.command, **given}),
         "python": _python(design, given),
@@ -53,11 +55,9 @@ def _plain(value: Any) -> Any:
     return tuple(map(_plain, value)) if isinstance(value, list | tuple) else value
 
 
-def _named(value: Any) -> Any:
-    """A value with the plain name of an uploaded file in place of where it lies."""
-    if isinstance(value, str) and value.startswith(UPLOADED):
-        return value.rpartition("/")[2]
-    return value
+def _file_name(value: str) -> str:
+    """A file's name as whoever has it knows it: of an upload, or a file of this machine, the last part alone."""
+    return PurePath(value).name if value.startswith(UPLOADED) or PurePath(value).is_absolute() else value
 
 
 def _python(design: Design, given: Mapping[str, Any]) -> str:

@@ -79,8 +79,12 @@ class Files:
             self.forget(oldest)
         name = secrets.token_hex(16)
         folder = self._folder / name
-        job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds)
         folder.mkdir(mode=0o700)
+        try:
+            job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds)
+        except BusyError:
+            folder.rmdir()
+            raise
         file = FileJob(id=name, folder=folder, job=job, begun=time.monotonic())
         self._files[name] = file
         file.task = asyncio.ensure_future(self._follow(file))

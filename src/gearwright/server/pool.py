@@ -65,14 +65,9 @@ class Pool:
             alive=len(self._processes), busy=len(self._running), replaced=self._replaced, waiting=len(self._waiting)
         )
 
-    @property
-    def pids(self) -> list[int]:
-        """The processes that live, busy ones first."""
-        return [one.pid for one in sorted(self._processes, key=lambda one: one not in self._running)]
-
     def start(self) -> None:
         """Begins to start the workers; jobs can be submitted at once."""
-        for _ in range(self._size + self._spares):
+        for _ in range(self._size):
             self._start_one()
 
     def submit(self, source: str, request: Any, *, seconds: float) -> Job:
@@ -102,6 +97,12 @@ class Pool:
             one.kill()
         await asyncio.gather(*(asyncio.to_thread(one.end) for one in processes), *self._tasks)
 
+    def _start_spares(self) -> None:
+        """Once, when the first worker is ready, so as not to hold it up."""
+        spares, self._spares = self._spares, 0
+        for _ in range(spares):
+            self._start_one()
+
     def _start_one(self) -> None:
         if self._closed:
             return
@@ -114,7 +115,7 @@ class Pool:
         process = Process(self._memory, self._warm)
         try:
             await asyncio.to_thread(process.start, loop, self._arrived, self._lost)
-        except OSError:  # no more processes: try again, rather than lose a worker for good
+        except (OSError, EOFError, RuntimeError):  # no more processes: try again, rather than lose a worker for good
             process.gone = True
         if self._closed:
             await asyncio.to_thread(process.end)
@@ -141,6 +142,7 @@ class Pool:
             if word == "ready":
                 process.ready = True
                 self._dispatch()
+                self._start_spares()
             elif process in self._running:
                 self._running[process].put(value)
             elif not any(one.ready for one in self._processes):

@@ -13,10 +13,10 @@ export interface Listener {
   busy(waiting: boolean): void;
 }
 
-// While an answer is under way the next ask waits: for so long, or for so long after its mesh (milliseconds). Where
-// answers take longer the wait grows with them, else a slider in hand would overtake every one of them.
-const PATIENCE = { least: 600, most: 10_000 };
-const REST = 150;
+// While an answer is under way the next ask waits: for so long, and after its mesh for its values (milliseconds). Where
+// these take longer the waits grow with them, else a slider in hand would overtake every one of them.
+const PATIENCE = { least: 1000, most: 10_000 };
+const REST = { least: 250, most: 3000 };
 const RETRY = { least: 500, most: 10_000 };
 const LAST = ["values", "refused", "failed", "done"]; // with one of these the next ask may go
 
@@ -31,7 +31,9 @@ export class Connection {
   private timer = 0;
   private retry = RETRY.least;
   private patience = PATIENCE.least;
+  private rest = REST.least;
   private sent = 0; // when the last ask went
+  private drew = 0; // when its mesh came
   private closed = false;
   private whole = false; // whether the next answer is to hold all topologies
 
@@ -73,7 +75,7 @@ export class Connection {
     this.socket.send(JSON.stringify(ask));
     this.sent = performance.now();
     this.after(this.patience, () => {
-      this.patience = Math.min(2 * this.patience, PATIENCE.most);
+      this.patience = within(2 * this.patience, PATIENCE);
     });
   }
 
@@ -120,11 +122,13 @@ export class Connection {
 
   // A topology that is not kept any more is asked for again.
   private drawn(data: ArrayBuffer): void {
-    const took = performance.now() - this.sent;
-    this.patience = Math.min(Math.max(2 * took, PATIENCE.least), PATIENCE.most);
+    this.drew = performance.now();
+    this.patience = within(2 * (this.drew - this.sent), PATIENCE);
     try {
       this.listener.mesh(decodeMesh(data, this.known));
-      this.after(REST);
+      this.after(this.rest, () => {
+        this.rest = within(2 * this.rest, REST);
+      });
     } catch (error) {
       if (!(error instanceof TopologyMissing)) throw error;
       this.wish ??= this.asked;
@@ -141,11 +145,14 @@ export class Connection {
     }
     const answer = JSON.parse(data) as Answer;
     if ("id" in answer && answer.id !== this.id) return;
+    if (answer.answer === "values") this.rest = within(2 * (performance.now() - this.drew), REST);
     this.listener.answer(answer);
     if (["done", "refused", "failed"].includes(answer.answer)) this.listener.busy(this.wish !== null);
     if (LAST.includes(answer.answer)) this.next();
   }
 }
+
+const within = (value: number, { least, most }: { least: number; most: number }) => Math.min(Math.max(value, least), most);
 
 // Whose answer a mesh frame is, read without decoding the rest.
 function idOf(data: ArrayBuffer): number {

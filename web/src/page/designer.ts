@@ -2,6 +2,7 @@
 
 import { partsOf, summary } from "./amounts";
 import { Announcer } from "./announcer";
+import { Address } from "./address";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
 import { copying } from "./copying";
@@ -46,6 +47,7 @@ export class Designer {
   private readonly plots: ReturnType<typeof plots>;
   private readonly outputs: ReturnType<typeof outputs>;
   private readonly copying: ReturnType<typeof copying>;
+  private readonly address = new Address();
   private settling = 0;
 
   constructor(
@@ -261,9 +263,7 @@ export class Designer {
   }
 
   private publish(how: "replace" | "push"): void {
-    const hash = hashOf(this.state);
-    if (how === "push") history.pushState(null, "", hash);
-    else if (location.hash !== hash) history.replaceState(null, "", hash);
+    this.address.put(hashOf(this.state), how);
     document.title = `${this.kind.name} – Gearwright`;
   }
 

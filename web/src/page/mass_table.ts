@@ -1,7 +1,7 @@
 // Volumetric properties of one part: exact, beside those of its polyhedron and by how much that one is off.
 
 import { inShown, powerWord, told } from "./amounts";
-import { capital, element } from "./dom";
+import { capital, element, symbol } from "./dom";
 import { clean, inertiaAbout, norm, type Tensor } from "./inertia";
 import type { About, ApproximationAnswer, LengthUnit, PartDocument, Properties } from "./protocol";
 
@@ -23,6 +23,10 @@ interface Group {
 const AXES = ["x", "y", "z"];
 const PLACES: [string, number, number][] = [["xx", 0, 0], ["yy", 1, 1], ["zz", 2, 2], ["xy", 0, 1], ["yz", 1, 2], ["zx", 2, 0]];
 const DIGITS = 8;
+const MEANINGS: Record<string, string> = {
+  Principal: "Principal moment of inertia about the centroid", Gyration: "Radius of gyration about a principal axis through the centroid",
+  Product: "Minus the product of inertia", Inertia: "Moment of inertia about the point that is chosen",
+};
 
 type Body = Properties & { inertia: Tensor; central_inertia: Tensor; density: number; radii_of_gyration: number[]; error_bound: number | null };
 
@@ -49,13 +53,16 @@ function approximated(approximation: ApproximationAnswer | null, name: string): 
 // What a reader must know: density, the point, the signs.
 function caption(name: string, body: Body, about: About, unit: LengthUnit): HTMLElement {
   const weighed = body.mass_unit === "kg";
-  const density = weighed ? `Density ${told(body.density / (body.length_unit === "in" ? 0.0254 : 0.001) ** 3, 6)} kg/m³.`
+  const density = weighed ? `Density ${plainly(body.density / (body.length_unit === "in" ? 0.0254 : 0.001) ** 3)} kg/m³.`
     : "Without a material the density is 1: mass is volume.";
   const bound = typeof body.error_bound === "number" ? ` Exact to ${told(Math.max(body.error_bound, 1e-16), 1)} at most.` : "";
   return element("caption", {}, capital(name || "Mass and inertia"),
-    element("span", {}, `${density} Inertia about ${pointWords(about, body.length_unit, unit)}, axes along the part's. `
-      + `Off the diagonal stand minus the products: I_xy = −∫xy dm.${bound}`));
+    element("span", {}, `${density} Inertia about ${pointWords(about, body.length_unit, unit)}, axes along the part's; principal moments `
+      + "about the centroid. Off the diagonal stand minus the products: ", symbol("I_xy"), ` = −∫xy dm.${bound}`));
 }
+
+// Without noughts that say nothing.
+const plainly = (value: number) => told(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
 
 function pointWords(about: About, from: LengthUnit, unit: LengthUnit): string {
   if (about === "centroid") return "the centroid";
@@ -88,9 +95,9 @@ function groups(bodies: Body[], unit: LengthUnit, about: About): Group[] {
       (at, body) => length(clean(bodies[body]!.centroid[at]!, reach), 1)),
     each(PLACES.map(([place]) => [place[0] === place[1] ? "Inertia" : "", `I_${place}`]), momentUnit, moment(norm(tensors[0]!)),
       (at, body) => moment(tensors[body]![PLACES[at]![1]]![PLACES[at]![2]]!)),
-    each([1, 2, 3].map((number) => [`Principal moment ${number}`, `I_${number}`]), momentUnit, moment(norm(exact.central_inertia)),
+    each([1, 2, 3].map((number) => ["Principal", `I_${number}`]), momentUnit, moment(norm(exact.central_inertia)),
       (at, body) => moment(bodies[body]!.principal_moments[at]!)),
-    each([1, 2, 3].map((number) => [`Radius of gyration ${number}`, `k_${number}`]), unit, length(Math.max(...exact.radii_of_gyration), 1),
+    each([1, 2, 3].map((number) => ["Gyration", `k_${number}`]), unit, length(Math.max(...exact.radii_of_gyration), 1),
       (at, body) => length(bodies[body]!.radii_of_gyration[at]!, 1)),
   ];
 }
@@ -108,9 +115,9 @@ function tableRow(row: Row, off: boolean): HTMLElement {
   });
   const [exact, last] = [row.values[0]!, row.values[row.values.length - 1]!];
   if (off) cells.push(element("td", { class: "off" }, exact === null || last === null ? "" : share(Math.abs(last - exact), row.scale)));
-  const [head, foot] = row.sign.split("_");
-  const sign = row.sign ? [" ", element("i", { class: "symbol" }, head!, foot ? element("sub", {}, foot) : null)] : [];
-  return element("tr", row.first ? { class: "first" } : {}, element("th", { scope: "row" }, row.name || "Product", ...sign), ...cells,
+  const name = row.name || "Product";
+  const head = element("th", { scope: "row", title: MEANINGS[name] ?? name }, name, ...(row.sign ? ["\u00a0", symbol(row.sign)] : []));
+  return element("tr", row.first ? { class: "first" } : {}, head, ...cells,
     element("td", { class: "unit" }, row.unit));
 }
 

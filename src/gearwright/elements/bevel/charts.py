@@ -29,12 +29,13 @@ _PLACES = 129  # along a face, or of an arc
 _MEMBER_TEETH = {False: (-1.0, 0.0, 1.0), True: (-1.5, -0.5, 0.5, 1.5)}
 """Teeth that are drawn, in pitches from the middle: of a pinion or single gear, and of its mate."""
 
+_SEEN = """seen from the apex on the back cone at the mean cone distance, developed into the plane (Tredgold); \
+heights from the pitch point"""
 _HALF_TURN = -np.eye(2)
 
 
 def profile(element: BevelGear | BevelPair) -> Chart:
     """Teeth on the developed back cone at the mean cone distance; of a pair in mesh, both cones touching."""
-    pair = isinstance(element, BevelPair)
     members = {"pinion": element.pinion, "gear": element.gear} if isinstance(element, BevelPair) else {"": element}
     unit = element.length_unit
     lines = [
@@ -43,11 +44,11 @@ def profile(element: BevelGear | BevelPair) -> Chart:
     return Chart(
         title=f"Tooth profile on the mean back cone, {element.description}",
         x=Axis(label="across the tooth", unit=unit),
-        y=Axis(label="above the pitch cone" + (" of the pinion" if pair else ""), unit=unit),
+        y=Axis(label="height", unit=unit),
         equal=True,
         lines=lines,
         notes=[
-            "seen from the apex on the back cone at the mean cone distance, developed into the plane (Tredgold)",
+            _SEEN,
             *(_virtual(name, gear) for name, gear in members.items()),
         ],
     )

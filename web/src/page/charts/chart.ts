@@ -1,6 +1,6 @@
 // One chart with its legend, whose lines can be hidden, its reading and its enlargement.
 
-import { element, unique } from "../dom";
+import { element, symbol, unique } from "../dom";
 import type { PlotData } from "../protocol";
 import { type Domain, equalled, moved, whole, zoomed } from "./domain";
 import { drawn, type Drawn, frameOf, inner, made } from "./drawing";
@@ -8,6 +8,7 @@ import { coordinates, readable, readingAt } from "./reading";
 import { DARK, LIGHT, type Palette, type Stroke, strokes } from "./strokes";
 
 const RATIO = 0.72; // height over width
+const [FLATTEST, STEEPEST] = [0.55, 1.05]; // of drawings, whose height goes with what they show
 const STEP = 1.4;
 
 export class Chart {
@@ -110,13 +111,23 @@ export class Chart {
 
   private frame() {
     const width = Math.max(260, Math.round(this.stage.clientWidth || 380));
-    return frameOf(width, Math.max(240, Math.round(width * RATIO)));
+    return frameOf(width, Math.max(240, Math.round(width * this.ratio)));
+  }
+
+  private get ratio(): number {
+    if (!this.data?.equal) return RATIO;
+    const { x, y } = this.first;
+    return Math.min(STEEPEST, Math.max(FLATTEST, (y[1] - y[0]) / (x[1] - x[0])));
+  }
+
+  // What is looked at first.
+  private get first(): Domain {
+    const { window } = this.data!;
+    return window ? { x: [window[0], window[1]], y: [window[2], window[3]] } : whole(this.data!, new Set());
   }
 
   private shown(): Domain {
-    const { window } = this.data!;
-    const first: Domain = window ? { x: [window[0], window[1]], y: [window[2], window[3]] } : whole(this.data!, this.hidden);
-    return this.fitting(this.domain ?? first);
+    return this.fitting(this.domain ?? this.first);
   }
 
   private fitting(domain: Domain): Domain {
@@ -146,9 +157,7 @@ export class Chart {
         else this.hidden.add(line.name);
         this.draw();
       });
-      const label = element("label", {}, box, line.name);
-      label.insertBefore(swatch(kept[at]!), label.lastChild);
-      return label;
+      return element("label", {}, box, swatch(kept[at]!), element("span", {}, ...named(line.name)));
     }));
   }
 
@@ -215,10 +224,16 @@ function nearest(places: number[], x: number, log: boolean): number | null {
   return places.reduce<number | null>((best, one) => (best === null || Math.abs(of(one) - of(x)) < Math.abs(of(best) - of(x)) ? one : best), null);
 }
 
+// A name with its symbol, "base circle d_b, pinion", as textbooks have it.
+function named(name: string): (Node | string)[] {
+  const [, before, sign, after] = /^(.* )(d(?:_\w+)?)(, .*|)$/.exec(name) ?? [];
+  return sign ? [before!, symbol(sign), after!] : [name];
+}
+
 function swatch(stroke: Stroke): SVGSVGElement {
   const svg = made("svg", { viewBox: "0 0 26 10", width: 26, height: 10, "aria-hidden": "true" });
   if (stroke.marks) svg.append(made("circle", { cx: 13, cy: 5, r: 3.2, fill: stroke.colour }));
-  if (!stroke.marks || stroke.dash) {
+  if (stroke.drawn) {
     svg.append(made("line", { x1: 0, x2: 26, y1: 5, y2: 5, stroke: stroke.colour, "stroke-width": Math.max(stroke.width, 1.3), "stroke-dasharray": stroke.dash || "none" }));
   }
   return svg;

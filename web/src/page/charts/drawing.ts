@@ -49,8 +49,8 @@ export function drawn(
   title.textContent = data.title;
   svg.append(title, made("rect", { width: frame.width, height: frame.height, fill: palette.ground }));
   const [across, up] = [Math.max(2, Math.round((right - frame.left) / 80)), Math.max(2, Math.round((bottom - frame.top) / 44))];
-  axis(svg, "x", ticksOf(x, across, log), x, frame, palette);
-  axis(svg, "y", ticksOf(y, up, log), y, frame, palette);
+  axis(svg, "x", ticksOf(x, across, log, data.x.unit === "°"), x, frame, palette);
+  axis(svg, "y", ticksOf(y, up, log, data.y.unit === "°"), y, frame, palette);
   labels(svg, data, frame, palette);
   const id = `chart-clip-${++clips}`;
   const clip = made("clipPath", { id });
@@ -73,7 +73,21 @@ function spoken(data: PlotData): string {
 
 type Ticks = { value: number; text: string }[];
 
-function ticksOf(scale: { ticks(count: number): number[]; tickFormat(count: number, form?: string): (value: number) => string }, count: number, log: boolean): Ticks {
+interface Ticked {
+  domain(): number[];
+  ticks(count: number): number[];
+  tickFormat(count: number): (value: number) => string;
+}
+
+const PARTS_OF_A_TURN = [15, 30, 45, 90, 180]; // degrees
+
+function ticksOf(scale: Ticked, count: number, log: boolean, angle: boolean): Ticks {
+  const [least = 0, most = 1] = scale.domain();
+  const step = angle && most - least >= 60 ? PARTS_OF_A_TURN.find((part) => (most - least) / part <= Math.max(4, count)) : undefined;
+  if (step) {
+    const first = Math.ceil(least / step);
+    return Array.from({ length: Math.floor(most / step) - first + 1 }, (_, at) => ({ value: (first + at) * step, text: `${(first + at) * step}` }));
+  }
   if (!log) {
     const format = scale.tickFormat(count);
     return scale.ticks(count).map((value) => ({ value, text: format(value) }));
@@ -126,7 +140,7 @@ function labels(svg: SVGElement, data: PlotData, frame: Frame, palette: Palette)
 function paint(group: SVGElement, one: PlotData["lines"][number], stroke: Stroke, x: (v: number) => number, y: (v: number) => number, log: boolean): void {
   const there = (at: number) => one.x[at] !== null && one.y[at] !== null && !(log && (one.x[at]! <= 0 || one.y[at]! <= 0));
   const places = one.x.map((_, at) => at);
-  if (one.style !== "points") {
+  if (stroke.drawn) {
     const d = line<number>().defined(there).x((at) => x(one.x[at]!)).y((at) => y(one.y[at]!)).digits(2)(places);
     const dash: Record<string, string> = stroke.dash ? { "stroke-dasharray": stroke.dash } : {};
     group.append(made("path", { d: d ?? "", stroke: stroke.colour, "stroke-width": stroke.width, ...dash }));

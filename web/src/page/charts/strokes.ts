@@ -25,6 +25,7 @@ export interface Stroke {
   width: number;
   dash: string;
   marks: boolean;
+  drawn: boolean; // whether a line is drawn at all
 }
 
 const DASHES: [start: string, dash: string][] = [
@@ -43,6 +44,7 @@ export function strokes(data: PlotData, palette: Palette): Stroke[] {
       colour: alone ? palette.quiet : colour(member >= 0 ? member : own),
       width: line.style === "dashed" ? (data.equal ? 1 : 1.6) : 1.8,
       dash: line.style === "dashed" ? dashOf(line.name) : "",
+      drawn: line.style !== "points",
       marks: line.style === "points" || data.log === "both",
     };
   });

@@ -101,7 +101,8 @@ export class DesignForm {
   }
 
   private groups(): HTMLElement[] {
-    const first = this.fields.filter((field) => this.leads(field.parameter));
+    const last = this.fields.filter((field) => field.parameter.name === "length_unit"); // says how to read those above
+    const first = [...this.fields.filter((field) => this.leads(field.parameter) && !last.includes(field)), ...last];
     const rest = this.fields.filter((field) => !first.includes(field));
     const topics = [...new Set(rest.map((field) => field.parameter.topic))];
     return [
