@@ -14,7 +14,7 @@ export interface State {
 export const plain = (design: Design): State =>
   ({ design, density: null, material: null, about: null, unit: null, tab: "" });
 
-// #spur?teeth=16,40&module=3&material=steel
+// #spur?teeth=16,40&module=3&~material=steel
 export function hashOf(state: State): string {
   const { element, ...values } = state.design;
   const beside = {

@@ -53,7 +53,7 @@ export class ViewPanel {
       this.inertia, this.contact, this.surfaces);
     this.disclosure = element("details", { class: "mv-more" }, element("summary", {}, "View"), this.panel);
     this.views = element("div", { class: "mv-views", role: "group", "aria-label": "Views" },
-      button("fit", "Show all, from where it was first seen (0)", () => actions.look(null)),
+      button("fit", "fit: show all, from where it was first seen (0)", () => actions.look(null)),
       ...["x", "y", "z"].map((name, axis) =>
         button(name, `Look from +${name} (${name.toUpperCase()})`, () => actions.look(axis))),
       this.disclosure);

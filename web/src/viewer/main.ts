@@ -74,7 +74,7 @@ function furnish(
   new ResizeObserver(() => stage.resize()).observe(canvas);
 
   const views = element("div", { class: "views", role: "group", "aria-label": "Views" },
-    button("fit", "Show all, from where it was first seen (0)", () => look()),
+    button("fit", "fit: show all, from where it was first seen (0)", () => look()),
     ...["x", "y", "z"].map((name, axis) =>
       button(name, `Look from +${name} (${name.toUpperCase()})`, () => look(along(axis, false, stage.camera.up)))),
     check(["edges"], "Sharp edges", true, (on) => {
