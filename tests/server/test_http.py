@@ -5,7 +5,6 @@ import socket
 import tempfile
 import time
 import zipfile
-from pathlib import Path
 
 import jsonschema
 import numpy as np
@@ -374,14 +373,11 @@ def test_head_is_get_without_its_body(client):
     assert int(answer.headers["content-length"]) == len(client.get("/api/materials").content)
 
 
-def test_what_is_kept_is_the_owners_and_goes_with_the_server(page):
-    def kept():
-        return {path for path in Path(tempfile.gettempdir()).glob("gearwright-*") if (path / "uploads").is_dir()}
-
-    before = kept()
+def test_what_is_kept_is_the_owners_and_goes_with_the_server(page, tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     with running(page=page) as server, server.client() as client:
         uploaded(client, SQUARE)
-        (folder,) = kept() - before
+        (folder,) = tmp_path.glob("gearwright-*")
         assert folder.stat().st_mode & 0o077 == 0
         assert len(list((folder / "uploads").iterdir())) == 1
     assert not folder.exists()

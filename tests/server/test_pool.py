@@ -226,14 +226,15 @@ def test_too_many_that_wait_are_refused():
     in_pool(doing, most_waiting=4)
 
 
-def test_workers_end_with_the_process_that_has_them():
+@pytest.mark.parametrize("busy", ["sleep", "hold"])
+def test_workers_end_with_the_process_that_has_them(busy):
     script = (
         "import asyncio\n"
         "from gearwright.server.pool import Pool\n"
         "async def main():\n"
         "    pool = Pool(1, warm=None)\n"
         "    pool.start()\n"
-        f"    job = pool.submit('{work.__name__}:sleep', {{}}, seconds=60.0)\n"
+        f"    job = pool.submit('{work.__name__}:{busy}', {{}}, seconds=60.0)\n"
         "    print((await anext(aiter(job)))['pid'], flush=True)\n"
         "    await asyncio.sleep(60)\n"
         "if __name__ == '__main__':\n"

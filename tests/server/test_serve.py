@@ -15,9 +15,9 @@ import pytest
 
 
 @contextmanager
-def serving(*words):
+def serving(*words, **variables):
     """The command in a process of its own, with the address that it prints, until the block ends."""
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), **variables}
     command = [sys.executable, "-m", "gearwright", "serve", *map(str, words)]
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True
@@ -29,10 +29,6 @@ def serving(*words):
             yield process, found[1]
         finally:
             process.kill()
-
-
-def folders():
-    return {path for path in Path(tempfile.gettempdir()).glob("gearwright-*") if (path / "uploads").is_dir()}
 
 
 def children(pid):
@@ -55,8 +51,7 @@ def answered(address, path="api/materials"):
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
 def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
-    before = folders()
-    with serving("--port", 0) as (process, address):
+    with tempfile.TemporaryDirectory(prefix="gw-") as own, serving("--port", 0, TMPDIR=own) as (process, address):
         assert answered(address).status_code == 200
         assert answered(address, "").headers["content-type"].startswith("text/html")
         ends = time.monotonic() + 30
@@ -65,13 +60,13 @@ def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
             time.sleep(0.05)
         workers = children(process.pid)
         assert len(workers) >= 4
-        assert len(folders() - before) == 1
+        assert len(list(Path(own).glob("gearwright-*/uploads"))) == 1
         os.killpg(process.pid, how)  # as Ctrl-C does: to all of them
         code = process.wait(20)
         err = process.stderr.read()
+        assert list(Path(own).glob("gearwright-*")) == []
     assert code == 0, err
     assert "Traceback" not in err
-    assert folders() == before
     ends = time.monotonic() + 10
     while any(Path(f"/proc/{pid}").exists() and "Z" not in state(pid) for pid in workers):
         assert time.monotonic() < ends

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import time
 
@@ -19,6 +20,13 @@ def sleep(request):
     """Comes to no second answer for a minute."""
     yield {"pid": os.getpid()}
     time.sleep(60)
+    yield {}
+
+
+def hold(request):
+    """Lets no other thread run for hours, as some compiled code does."""
+    yield {"pid": os.getpid()}
+    re.match(r"(a+)+$", "a" * 60 + "b")
     yield {}
 
 

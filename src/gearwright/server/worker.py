@@ -107,12 +107,21 @@ def _trace(error: BaseException) -> None:
 
 
 def _end_with_parent() -> None:
-    """Has the system end the process with the one that made it, should compiled code keep it from noticing."""
-    if sys.platform == "linux":
-        with suppress(OSError, AttributeError):
-            import ctypes
+    """Has the system end the process with the one that made it, should compiled code keep it from noticing.
 
-            ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
+    That one ends with the server, unless a copy of what it watches is kept open here.
+    """
+    if sys.platform != "linux":
+        return
+    with suppress(OSError, AttributeError, ImportError):
+        import ctypes
+        from multiprocessing import forkserver
+
+        maker: Any = forkserver._forkserver  # noqa: SLF001  there is no public way
+        if maker._forkserver_alive_fd is not None:  # noqa: SLF001
+            os.close(maker._forkserver_alive_fd)  # noqa: SLF001
+            maker._forkserver_alive_fd = None  # noqa: SLF001
+        ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
 
 
 def _bound(memory: int) -> None:
