@@ -7,7 +7,7 @@ import pytest
 from gearwright import catalog
 from gearwright.designs.forms import kind_forms
 from gearwright.designs.live import answers
-from gearwright.errors import ParameterError, ProblemsError
+from gearwright.errors import ProblemsError
 
 from ..viewer.frames import read
 
@@ -66,9 +66,9 @@ def test_what_cannot_be_built_is_refused_before_anything_is_told():
         next(answers({"design": {**start("bevel pair"), "face_width": 90}}))
     with pytest.raises(ProblemsError, match="names no element"):
         next(answers({"design": {"element": "spurr"}}))
-    with pytest.raises(ParameterError, match="greater than 0"):
+    with pytest.raises(ProblemsError, match="greater than 0"):
         next(answers({"design": start("spur gear"), "density": -1}))
-    with pytest.raises(ParameterError, match="no such one"):
+    with pytest.raises(ProblemsError, match="no such one"):
         next(answers({"design": start("spur gear"), "material": "stel"}))
 
 

@@ -9,11 +9,9 @@ from schemathesis.specs.openapi.checks import (
     status_code_conformance,
 )
 
-from gearwright.server.job_names import JobNames
 from gearwright.server.openapi import document
 from gearwright.server.operations import OPERATIONS
 
-from . import work
 from .serving import running
 
 CHECKS = [not_a_server_error, status_code_conformance, content_type_conformance, response_schema_conformance]
@@ -21,7 +19,7 @@ CHECKS = [not_a_server_error, status_code_conformance, content_type_conformance,
 
 @pytest.fixture(scope="module")
 def server():
-    with running(jobs=JobNames(plot=f"{work.__name__}:plot", texts=f"{work.__name__}:texts"), rate=(1e9, 1e9)) as one:
+    with running(rate=(1e9, 1e9)) as one:
         yield one
 
 

@@ -22,11 +22,10 @@ def plot(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
     Raises ProblemsError where the design cannot be built or has no such chart, and what the chart raises.
     """
-    from .live import built_element
+    from .requested import requested
 
-    design = design_of(request["design"])
-    found = _chosen(design, request.get("plot"))
-    yield catalog.load(found.source)(built_element(design)).to_dict()
+    found = _chosen(design_of(request["design"]), request.get("plot"))
+    yield catalog.load(found.source)(requested(request).element).to_dict()
 
 
 def _chosen(design: Design, name: object) -> catalog.Plot:

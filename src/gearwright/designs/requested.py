@@ -10,7 +10,7 @@ from ..errors import Problem, ProblemsError
 from ..materials import DENSITY, material
 from .built import Built, built_from
 from .design import Design, design_of
-from .kinds import article, said
+from .kinds import article
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +39,7 @@ def requested(request: Mapping[str, Any], more: list[Problem] | None = None) -> 
     found = [*problems, *others, *(more or [])]
     if found or element is None:
         kind = design.kind
-        raise ProblemsError(f"A{article(kind.name)[1:]} {said(kind, design.kinds, str)} cannot be built so", found)
+        raise ProblemsError(f"{article(kind.name).capitalize()} {kind.name} cannot be built so", found)
     return Requested(design=design, element=element, kilograms=kilograms)
 
 

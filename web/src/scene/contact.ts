@@ -19,7 +19,7 @@ export class ContactLines {
         const ends = touching.flatMap(along);
         return ends.length ? strokes(ends, COLOUR, 3) : new three.Group();
       }));
-    this.group.add(...this.steps.flat());
+    for (const step of this.steps.flat()) this.group.add(step);
   }
 
   // turn: of the pinion, degrees
