@@ -30,9 +30,10 @@ class Job:
         self._answers: asyncio.Queue[Answer | JobError | None] = asyncio.Queue()
 
     def cancel(self) -> None:
-        """Ends it; at once where it waits, else at its next answer or after a grace."""
+        """Ends it: at once for those who asked, for its worker at its next answer or after a grace."""
         if not self.ended.is_set() and not self.cancelled:
             self.cancelled = True
+            self._answers.put_nowait(JobCancelledError("cancelled"))
             self._cancel(self)
 
     def put(self, answer: Answer) -> None:

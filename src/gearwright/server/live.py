@@ -133,7 +133,7 @@ class _Connection:
                 await self._answer_one(asked)
 
     async def _answer_one(self, asked: dict[str, Any]) -> None:
-        """Streams the answers; one job at a time, so that no connection has two workers."""
+        """Streams the answers. What is left of an older job ends by itself: the next does not wait for it."""
         number, begun = asked["id"], time.monotonic()
         try:
             source, request = self._wrap(asked)
@@ -163,7 +163,6 @@ class _Connection:
         finally:
             if self._job is not None:
                 self._job.cancel()
-                await self._job.ended.wait()
             self._job = None
 
     async def _send(self, value: dict[str, Any]) -> None:

@@ -12,8 +12,9 @@ from .job import Job
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from .processes import Process
 
-GRACE = 0.3
-"""Seconds that a cancelled job has to come to its next answer, before its worker is killed."""
+GRACE = 2.0
+"""Seconds that a cancelled job has to come to its next answer, before its worker is killed: longer than a bit of an answer
+takes on a busy machine, since another worker takes about as long to start."""
 
 MEMORY = 6 << 30
 """Bytes of address space that a worker may take."""
