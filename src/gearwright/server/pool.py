@@ -13,7 +13,7 @@ from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedEr
 from .processes import Process
 
 GRACE = 2.0
-"""Seconds that a cancelled job has to come to its next answer, before its worker is killed: longer than a bit of an answer
+"""Seconds that a cancelled job has to its next answer, before its worker is killed: longer than a bit of an answer
 takes on a busy machine, since another worker takes about as long to start."""
 
 MEMORY = 6 << 30
