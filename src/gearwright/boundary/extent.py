@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Indices
 from ..curves.curve import along, in_panels
@@ -20,6 +21,7 @@ _GRID = 17  # samples a side of a patch in the search for its extremes
 _TO_ROUNDING = {"ftol": 1e-15, "gtol": 0.0, "maxiter": 200}
 _NEAR_BEST = 0.02  # of the size: a sample worth refining; a patch sagging more between samples would be a poor one
 _MOST_TOPS = 16  # refined in a patch: a spring's windings reach almost equally far
+_LEVEL = 1e-15  # slope, by a patch's size, that rounding leaves where there is none
 _LOOP_SAMPLES = 64  # a curve, to see whether an extreme of a cap's surface lies in the cap
 
 
@@ -118,10 +120,12 @@ class _Candidates:
             return float(self.patch.point(*uv) @ back) + off, np.array([du @ back, dv @ back])
 
         found = [float(heights.max())]
-        for start in _tops(heights[image].reshape(-1, _GRID), least):
+        starts = self.fractions[_tops(heights[image].reshape(-1, _GRID), least)]
+        slopes = np.stack([partial @ back for partial in self.patch.partials(*starts.T)], axis=-1)
+        for start in starts[_descends(starts, slopes, float(np.ptp(self.points)))]:
             result = minimize(
                 height,
-                self.fractions[start],
+                start,
                 jac=True,
                 method="L-BFGS-B",
                 bounds=[(0.0, 1.0)] * 2,
@@ -129,6 +133,12 @@ class _Candidates:
             )
             found.append(-float(result.fun))
         return max(found)
+
+
+def _descends(starts: Array, slopes: Array, size: float) -> NDArray[np.bool_]:
+    """Whether from starts (n, 2) in the unit square with slopes (n, 2) any way leads down that stays in it."""
+    free = np.where(starts <= 0.0, np.minimum(slopes, 0.0), np.where(starts >= 1.0, np.maximum(slopes, 0.0), slopes))
+    return np.any(np.abs(free) > _LEVEL * size, axis=1)
 
 
 def _tops(heights: Array, least: float) -> Indices:
