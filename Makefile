@@ -3,8 +3,9 @@
 #   make demo    build the 16/20 bevel pair, straight and spiral, and compare exact with polyhedral properties
 #   make test    run the tests
 #   make fuzz    feed spoilt files to every reader, FUZZ_SECONDS=60 of them; what breaks one goes into tests/fuzz/corpus
-#   make web     build the view that turns in notebooks (Node 20.19 or newer, npm)
-#   make test-browser    test it in Chromium (CHROMIUM=/path/to/it)
+#   make web     build the view that turns in notebooks and the designer page (Node 20.19 or newer, npm)
+#   make serve   build them and open the designer page
+#   make test-browser    test both in Chromium (CHROMIUM=/path/to/it)
 #   make check   lint, format check, types, import layers
 #   make bench   compare speed with other tools
 #   make interop hold files to CadQuery, build123d (each in an environment of its own), trimesh, lib3mf and admesh
@@ -20,7 +21,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 FUZZ_SECONDS ?= 60
 CHROMIUM ?= chromium
 
-.PHONY: demo test fuzz web test-browser check bench interop clean
+.PHONY: demo test fuzz web serve test-browser check bench interop clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)
@@ -36,6 +37,9 @@ web:
 	@command -v npm >/dev/null || { echo "make: npm was not found; install Node 20.19 or newer" >&2; exit 1; }
 	npm --prefix web ci
 	npm --prefix web run build
+
+serve: $(INSTALLED) web
+	$(BIN)/gearwright serve --open
 
 test-browser: $(INSTALLED) web
 	@command -v $(CHROMIUM) >/dev/null || { \

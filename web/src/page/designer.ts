@@ -27,6 +27,7 @@ import { listenForUndo } from "./undoing";
 import { Weighing } from "./weighing";
 
 const KEY = "gearwright.design";
+const STEEL = "steel";
 const SETTLED = 600; // ms without a change
 
 export class Designer {
@@ -49,15 +50,17 @@ export class Designer {
   private readonly copying: ReturnType<typeof copying>;
   private readonly address = new Address();
   private settling = 0;
+  private readonly steel: string | null;
 
   constructor(
     host: HTMLElement, themes: Themes, private readonly api: Api, private readonly elements: Elements, materials: Material[],
   ) {
     const first = elements.kinds.find((kind) => kind.command === "spur" && kind.members === 2) ?? elements.kinds[0]!;
+    this.steel = materials.some((one) => one.name === STEEL) ? STEEL : null;
     const { state, note } = this.begin(first);
     this.state = state;
     this.kind = kindOf(elements.kinds, state.design) ?? first;
-    this.history = new History(hashOf, note ? plain(first.start) : state);
+    this.history = new History(hashOf, note ? this.example(first) : state);
     this.history.settle(state);
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
@@ -104,6 +107,11 @@ export class Designer {
     this.publish("replace");
   }
 
+  // With a mass, since that is what many come for.
+  private example(kind: Kind): State {
+    return { ...plain({ ...kind.start }), material: this.steel };
+  }
+
   // The design of the address, the last one, or an example.
   private begin(first: Kind): { state: State; note: string } {
     const known = (state: State | null) => (state && kindOf(this.elements.kinds, state.design) ? state : null);
@@ -113,7 +121,7 @@ export class Designer {
     const last = known(stateOf(recalled(KEY) ?? ""));
     if (last) return { state: last, note: note || "Your last design is open again; Undo leads to the example." };
     if (note) this.announcer.note(note);
-    return { state: plain({ ...first.start }), note: "" };
+    return { state: this.example(first), note: "" };
   }
 
   private formOf(kind: Kind): DesignForm {
