@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import gearwright as gw
 from gearwright.boundary.nearness import Skin
 from gearwright.boundary.sampling import sampling
 from gearwright.viewer.frame import DrawnBody, frame
@@ -23,7 +24,11 @@ def message(part, known=()):
 
 def expanded(part):
     """Corners (t, 3, 3) of all triangles and the normals drawn at them, and the ends (e, 2, 3) of all edges."""
-    _, bodies = read(message(part))
+    return drawn_by(message(part))
+
+
+def drawn_by(sent):
+    _, bodies = read(sent)
     corners, normals, edges = [], [], []
     for shell in bodies["part"]:
         places, directions = shell.images(shell.positions), shell.images(shell.normals, 0.0)
@@ -46,6 +51,19 @@ def test_triangles_are_closed_outward_and_of_the_volume(part):
     agreeing = np.einsum("tij,tj->ti", normals, areas)
     share = np.linalg.norm(areas, axis=1)[:, None] * np.ones(3)
     assert share[agreeing < 0.7 * share].sum() < 0.02 * share.sum()
+
+
+def test_a_bore_that_reaches_beyond_the_line_between_roots_is_open():
+    gear = gw.SpurGear(teeth=8, module=4, face_width=10, bore=20.8)
+    drawn = shells(gear.boundary, sampling(gear.boundary, 0.01))
+    assert gear.root_radius * np.cos(np.pi / 8) < 10.4
+    body = DrawnBody(name="part", colour=(0.5, 0.5, 0.5), shells=drawn, placement=np.eye(4))
+    corners, _, _ = drawn_by(frame({}, [body]))
+    flat = np.abs(corners[:, :, 2] - 10.0).max(axis=1) < 1e-4
+    areas = np.cross(corners[flat, 1] - corners[flat, 0], corners[flat, 2] - corners[flat, 0])[:, 2] / 2.0
+    assert areas.min() > 0
+    assert areas.sum() == pytest.approx(gear.properties().volume / 10, rel=2e-3)
+    assert np.linalg.norm(corners[flat].mean(axis=1)[:, :2], axis=1).min() > 10.3
 
 
 @pytest.mark.parametrize("part", PARTS[::3], ids=str)

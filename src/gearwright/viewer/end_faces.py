@@ -59,7 +59,7 @@ def _around(loop: CapLoop, used: Used) -> Array:
     """Points (n, 3) once around a loop of an end face in its sense."""
     images = loop.pattern.images(np.concatenate([used(use)[:-1] for use in loop.uses]))
     if loop.uses[-1].edge.end_turn < 0:
-        images = np.roll(images[::-1], 1, axis=0)  # the images follow one another clockwise
+        images = images[::-1]  # they follow one another clockwise
     points = images.reshape(-1, 3)
     return points[::-1] if loop.reverse else points
 
