@@ -30,6 +30,9 @@ const KEY = "gearwright.design";
 const STEEL = "steel";
 const SETTLED = 600; // ms without a change
 
+// What can be come back to: how it is displayed is no part of that.
+const kept = (state: State): State => ({ ...state, tab: "", unit: null });
+
 export class Designer {
   private state: State;
   private kind: Kind;
@@ -61,7 +64,7 @@ export class Designer {
     this.state = state;
     this.kind = kindOf(elements.kinds, state.design) ?? first;
     this.history = new History(hashOf, note ? this.example(first) : state);
-    this.history.settle(state);
+    this.history.settle(kept(state));
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
       open: (file) => void this.open(file), compare: () => this.compare(), theme: () => themes.toggle(),
@@ -195,7 +198,7 @@ export class Designer {
       this.tell();
     }
     this.header.show(this.kind, unit, this.history.undoable, this.history.redoable, this.comparing.on);
-    if (before && hashOf({ ...before, unit: null, tab: "" }) === hashOf({ ...state, unit: null, tab: "" })) return;
+    if (before && hashOf(kept(before)) === hashOf(kept(state))) return;
     this.plots.design(state.design);
     this.outputs.design(state.design, { density: state.density, material: state.material });
     this.ask();
@@ -262,11 +265,10 @@ export class Designer {
     this.settling = window.setTimeout(() => this.settle(), SETTLED);
   }
 
-  // What was settled on can be come back to. How it is displayed is no part of that.
   private settle(): void {
     clearTimeout(this.settling);
-    this.history.settle({ ...this.state, tab: "", unit: null });
-    keep(KEY, hashOf({ ...this.state, tab: "", unit: null }));
+    this.history.settle(kept(this.state));
+    keep(KEY, hashOf(kept(this.state)));
     this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
   }
 
