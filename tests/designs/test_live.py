@@ -1,6 +1,7 @@
 """What a page is told of a design: the shape first, then the values of the command line; refusals before anything."""
 
 import json
+import math
 
 import pytest
 
@@ -81,3 +82,14 @@ def test_forms_name_every_parameter_of_the_catalog_and_can_be_sent():
     assert '"only": {"kind"' not in text
     assert {one["suffix"] for one in FORMS["bevel gear"]["formats"] if one["what"] == "drawing"} == set()
     assert {one["suffix"] for one in FORMS["cam"]["formats"] if one["needs_density"]} >= {".urdf", ".sdf", ".mjcf"}
+
+
+def test_face_cones_of_tapered_teeth_pass_through_the_crown():
+    pair = {"element": "bevel", "teeth": [16, 40], "module": 4, "face_width": 25, "standard": "gleason-straight"}
+    _, values, overlays, _ = answers({"design": pair})
+    for body in overlays["bodies"]:
+        sizes = {name: size["value"] for name, size in values["document"][body["name"]]["sizes"].items()}
+        (cone,) = (one for one in body["surfaces"] if one["kind"] == "face")
+        assert abs(sizes["face_apex"]) > 0.5
+        slope = math.tan(math.radians(cone["half_angle"]))
+        assert (sizes["crown_to_apex"] - cone["apex"]) * slope == pytest.approx(sizes["outside_diameter"] / 2)

@@ -63,7 +63,7 @@ export class Designer {
     const { state, note } = this.begin(first);
     this.state = state;
     this.kind = kindOf(elements.kinds, state.design) ?? first;
-    this.history = new History(hashOf, note ? this.example(first) : state);
+    this.history = new History(hashOf, kept(note ? this.example(first) : state));
     this.history.settle(kept(state));
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
