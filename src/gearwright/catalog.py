@@ -31,7 +31,7 @@ class Element:
     running   what tells how it runs: a function of the element that gives values by name, if there is one
     origin    what is at the origin of a part's frame
     settled   choices that the command makes by itself, by the parameters' names
-    lines     what tells the lines along which a pair touches over a pitch: a function of the element and how many steps
+    lines     what tells the lines along which a pair touches over a pitch: a function of the element
     start     values of a good example, to begin a design with
     plane     whether it has a plane section, which can be drawn
     plots     the charts that a page shows of it

@@ -60,7 +60,7 @@ def contact_lines(
     return lines_at(ContactPath(mesh=mesh_of(pair), side=side), float(np.radians(turn)), samples)
 
 
-def lines_over_a_pitch(pair: BevelPair, steps: int) -> tuple[list[list[Array]], float]:
+def lines_over_a_pitch(pair: BevelPair, steps: int = 12) -> tuple[list[list[Array]], float]:
     """Points of the lines at so many turns over one pitch of the pinion, and that pitch in degrees."""
     path, pitch = ContactPath(mesh=mesh_of(pair), side="drive"), 360.0 / pair.teeth[0]
     turns = np.radians(pitch) * np.arange(steps) / steps

@@ -39,7 +39,7 @@ def lines_of_action(pair: GearPair, turn: float = 0.0) -> list[Array]:
     ]
 
 
-def lines_over_a_pitch(pair: GearPair, steps: int) -> tuple[list[list[Array]], float]:
+def lines_over_a_pitch(pair: GearPair, steps: int = 96) -> tuple[list[list[Array]], float]:
     """The lines at so many turns over one pitch of the pinion, and that pitch in degrees."""
     pitch = 360.0 / pair.mesh.pinion.toothing.teeth
     return [lines_of_action(pair, pitch * k / steps) for k in range(steps)], pitch

@@ -16,16 +16,13 @@ _CONES = {"pitch": "pitch_angle", "base": "base_angle", "face": "face_angle", "r
 _APEXES = {"face": "face_apex", "root": "root_apex"}
 """Reference surfaces by the sizes that give them; the apex of face and root cone may lie off the pitch cone's."""
 
-STEPS = 12
-"""Turns over a pitch at which lines of contact are given."""
-
 
 def overlays(kind: catalog.Element, built: Built) -> dict[str, Any]:
     """{"bodies": surfaces of each member in its own frame, "lines": lines of contact in the frame of the pair}."""
     bodies = [{"name": name, "surfaces": _surfaces(part)} for name, part in built.parts.items()]
     lines = []
     if kind.lines is not None:
-        steps, pitch = catalog.load(kind.lines)(built.pair, STEPS)
+        steps, pitch = catalog.load(kind.lines)(built.pair)
         lines.append({"name": "lines of contact", "pitch": pitch, "steps": [[p.tolist() for p in s] for s in steps]})
     return {"bodies": bodies, "lines": lines}
 
