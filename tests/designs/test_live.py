@@ -5,10 +5,12 @@ import math
 
 import pytest
 
+import gearwright as gw
 from gearwright import catalog
+from gearwright.contact.running import running
 from gearwright.designs.forms import kind_forms
 from gearwright.designs.live import answers
-from gearwright.errors import ProblemsError
+from gearwright.errors import GeometryError, ProblemsError
 
 from ..viewer.frames import read
 
@@ -93,3 +95,27 @@ def test_face_cones_of_tapered_teeth_pass_through_the_crown():
         assert abs(sizes["face_apex"]) > 0.5
         slope = math.tan(math.radians(cone["half_angle"]))
         assert (sizes["crown_to_apex"] - cone["apex"]) * slope == pytest.approx(sizes["outside_diameter"] / 2)
+
+
+def test_what_cannot_be_drawn_is_still_told_in_numbers():
+    """A gear a million times as large as it is wide: no picture of it has few enough points."""
+    told = list(answers({"design": {"element": "spur", "teeth": 24, "module": 1e9, "face_width": 16}}))
+    assert [one["answer"] for one in told] == ["undrawn", "values", "overlays", "approximation"]
+    assert "try" in told[0]["text"]
+    assert told[1]["document"]["properties"]["volume"] > 1e20
+    assert "try" in told[3]["missing"]
+
+
+def test_a_face_too_narrow_for_lines_of_contact_has_none():
+    pair = {"element": "bevel", "teeth": [16, 24], "module": 5, "face_width": 0.01}
+    told = [one["answer"] if isinstance(one, dict) else "mesh" for one in answers({"design": pair})]
+    assert told == ["mesh", "values", "overlays", "approximation"]
+    with pytest.raises(GeometryError, match="make it wider"):
+        running(gw.BevelPair(teeth=(16, 24), module=5, face_width=0.01))
+
+
+def test_what_the_elements_name_says_is_not_said_again():
+    for kind in ("helical", "spur", None):
+        design = {"element": "spur", "kind": kind, "teeth": [16, 40], "module": 2, "face_width": 16}
+        with pytest.raises(ProblemsError, match=r"kind = .*: the element's name, spur, says so already"):
+            next(answers({"design": design}))

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.polynomial import Chebyshev
 
 from ..arrays import Array, ArrayLike, Indices
+from ..errors import GeometryError, Problem
 from .graded import Graded
 from .mesh import Mesh, Side
 from .search import crossing, stretches
@@ -109,9 +110,15 @@ class ContactPath:
     def first_and_last(self) -> tuple[float, float]:
         """Turns of the pinion between which a tooth touches on whatever sphere, radians.
 
-        It begins and ends at a tip or a foot, on the sphere on which the tooth is furthest ahead or behind.
+        It begins and ends at a tip or a foot, on the sphere on which the tooth is furthest ahead or behind. Raises
+        GeometryError where no sphere shows that, as of teeth a hundredth of a module wide.
         """
         turns = np.concatenate([self._turns_at_limit(0), self._turns_at_limit(1)])
+        if not len(turns):
+            problem = Problem(
+                "the face", "it is too narrow to tell where teeth begin and cease to touch; make it wider"
+            )
+            raise GeometryError("Lines of contact cannot be found", [problem])
         return float(turns.min()), float(turns.max())
 
     def _turns_at_limit(self, which: int) -> Array:

@@ -73,11 +73,14 @@ def element_of(
         for name in values
         if name in others
     ]
+    problems += [
+        Problem(f"{name} = {values[name]!r}", f"the element's name, {kind.command}, says so already; leave it out")
+        for name in kind.settled
+        if name in values
+    ]
+    own_values = {name: value for name, value in values.items() if name not in others}
     try:
-        element = from_mapping(
-            catalog.load(kind.source),
-            {**{name: value for name, value in values.items() if name not in others}, **kind.settled},
-        )
+        element = from_mapping(catalog.load(kind.source), {**own_values, **kind.settled})
     except ParameterError as error:
         return None, [*problems, *error.problems]
     return element, problems

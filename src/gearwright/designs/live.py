@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from ..errors import GeometryError
 from .approximation import approximations
 from .document import built_document, plain
 from .drawn import drawn
@@ -21,11 +22,16 @@ def answers(request: Mapping[str, Any]) -> Iterator[Answer]:
     request   "design": names and values; "density": kg/m³, or "material": its name; "have": keys of topologies that
               the page has already; "id": what the shape is told with, by which the page knows what it answers
 
+    What has no shape to be drawn, or no polyhedron, at the tolerances that these have, is told without.
+
     Raises GearwrightError where the design cannot be built, or the density is none.
     """
     wanted = requested(request)
     kind, element = wanted.design.kind, wanted.element
-    yield drawn(kind, element, request.get("id"), frozenset(request.get("have", ())))
+    try:
+        yield drawn(kind, element, request.get("id"), frozenset(request.get("have", ())))
+    except GeometryError as error:
+        yield {"answer": "undrawn", "text": f"This cannot be drawn, only computed. {error}"}
     built = wanted.built()
     yield {
         "answer": "values",
@@ -35,4 +41,7 @@ def answers(request: Mapping[str, Any]) -> Iterator[Answer]:
         "texts": texts(wanted.design),
     }
     yield {"answer": "overlays", **overlays(kind, built)}
-    yield {"answer": "approximation", **plain(approximations(built, wanted.kilograms))}
+    try:
+        yield {"answer": "approximation", **plain(approximations(built, wanted.kilograms))}
+    except GeometryError as error:
+        yield {"answer": "approximation", "parts": {}, "errors": {}, "triangles": {}, "missing": str(error)}

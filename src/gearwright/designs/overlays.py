@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 
 from .. import catalog
+from ..errors import GeometryError
 from ..parameters import Size
+from ..sources import Source, load
 from .built import Built, Part
 
 _CYLINDERS = {"pitch": "pitch_diameter", "base": "base_diameter", "tip": "outside_diameter", "root": "root_diameter"}
@@ -20,11 +22,16 @@ _APEXES = {"face": "face_apex", "root": "root_apex"}
 def overlays(kind: catalog.Element, built: Built) -> dict[str, Any]:
     """{"bodies": surfaces of each member in its own frame, "lines": lines of contact in the frame of the pair}."""
     bodies = [{"name": name, "surfaces": _surfaces(part)} for name, part in built.parts.items()]
-    lines = []
-    if kind.lines is not None:
-        steps, pitch = catalog.load(kind.lines)(built.pair)
-        lines.append({"name": "lines of contact", "pitch": pitch, "steps": [[p.tolist() for p in s] for s in steps]})
-    return {"bodies": bodies, "lines": lines}
+    return {"bodies": bodies, "lines": [] if kind.lines is None else _contact(kind.lines, built.pair)}
+
+
+def _contact(source: Source, pair: Any) -> list[dict[str, Any]]:
+    """Lines of contact; none where they cannot be found, as of a face that is hardly any."""
+    try:
+        steps, pitch = load(source)(pair)
+    except GeometryError:
+        return []
+    return [{"name": "lines of contact", "pitch": pitch, "steps": [[p.tolist() for p in s] for s in steps]}]
 
 
 def _surfaces(part: Part) -> list[dict[str, Any]]:

@@ -72,9 +72,10 @@ def _write_body(found: Requested, request: Mapping[str, Any], path: Path) -> Non
         placed = bool(request.get("placed"))
         save_parts(parts, path.parent, found.element.length_unit, suffix=path.suffix, placed=placed, step_schema=schema)
         return
-    masses = path.suffix in written_suffixes("mechanism")
-    density = found.kilograms if masses else None
-    found.element.save(path, tolerance, clearance=clearance, density=density, step_schema=schema)
+    if path.suffix in written_suffixes("mechanism"):
+        found.element.save(path, tolerance, density=found.kilograms)
+    else:
+        save_parts(_parts(found, tolerance, clearance), path, found.element.length_unit, step_schema=schema)
 
 
 def _parts(found: Requested, tolerance: float | None, clearance: float) -> list[PlacedPart]:
