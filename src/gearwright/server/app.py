@@ -56,7 +56,7 @@ def application(settings: Settings) -> ASGIApp:
     folder = Path(tempfile.mkdtemp(prefix="gearwright-"))  # only its owner reads it
     for name in ("uploads", "files"):
         (folder / name).mkdir(mode=0o700)
-    quick, heavy = Pool(settings.quick, spares=1), Pool(1, warm=None)
+    quick, heavy = Pool(settings.quick, spares=1, kept=1), Pool(1, warm=None)
     files = Files(folder / "files", heavy)
     uploads = Uploads(folder / "uploads")
     api = Api(quick, heavy, files, uploads, settings.jobs)

@@ -14,7 +14,7 @@ from typing import Any, Literal, final
 
 from .job import Job
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
-from .pool import Pool
+from .pool import WAITING, Pool
 
 SECONDS = 600.0
 _KEPT = 600.0  # seconds, once done
@@ -142,7 +142,7 @@ def _take(file: FileJob, answer: Mapping[str, Any]) -> None:
         file.state, file.stage = "done", ""
         file.path, file.name = Path(answer["file"]), answer["name"]
         return
-    file.state = "working"
+    file.state = "waiting" if answer == WAITING else "working"
     file.stage = str(answer.get("stage") or answer.get("text") or "")
 
 

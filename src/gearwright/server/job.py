@@ -19,10 +19,13 @@ class Job:
 
     number, source, request   as the worker gets them
     seconds                   how long it may run
+    first                     whether it goes before those that are not
     """
 
-    def __init__(self, number: int, source: str, request: Any, seconds: float, cancel: Callable[[Job], None]):
-        self.number, self.source, self.request, self.seconds = number, source, request, seconds
+    def __init__(
+        self, number: int, source: str, request: Any, seconds: float, cancel: Callable[[Job], None], first: bool
+    ):
+        self.number, self.source, self.request, self.seconds, self.first = number, source, request, seconds, first
         self.ended = asyncio.Event()
         self.cancelled = False
         self._cancel = cancel
