@@ -80,11 +80,34 @@ def test_the_name_that_it_is_bound_to_is_its_own(host, header, status):
         ("POST", "https://127.0.0.1:8321", 403),
         ("POST", "null", 403),
         ("PUT", "http://127.0.0.1:8321.evil.example", 403),
-        ("GET", "http://evil.example", 200),
+        ("GET", "http://evil.example", 403),
+        ("GET", "http://127.0.0.1:8321", 200),
     ],
 )
-def test_pages_of_other_origins_change_nothing(method, origin, status):
+def test_pages_of_other_origins_neither_change_nor_read_anything(method, origin, status):
     assert asked(method, origin=origin).status_code == status
+
+
+LINK = {"sec_fetch_mode": "navigate", "sec_fetch_dest": "document"}
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "headers", "status"),
+    [
+        ("GET", "/api/health", {"sec_fetch_mode": "no-cors", "sec_fetch_dest": "image"}, 403),
+        ("GET", "/", {"sec_fetch_mode": "no-cors", "sec_fetch_dest": "image"}, 403),
+        ("GET", "/", {"sec_fetch_mode": "navigate", "sec_fetch_dest": "iframe"}, 403),
+        ("GET", "/api/health", LINK, 403),
+        ("POST", "/", LINK, 403),
+        ("GET", "/", LINK, 200),
+    ],
+)
+def test_other_sites_may_only_link_to_the_page_and_use_up_nothing(method, path, headers, status):
+    rates = Buckets(1.0, 1.0, clock=lambda: 0.0)
+    for _ in range(3 if status == 403 else 1):
+        assert asked(method, path, rates=rates, sec_fetch_site="cross-site", **headers).status_code == status
+    own = asked(rates=rates, sec_fetch_site="same-origin", sec_fetch_mode="cors", sec_fetch_dest="empty")
+    assert own.status_code == (200 if status == 403 else 429)
 
 
 def test_a_token_is_needed_where_there_is_one():

@@ -80,9 +80,10 @@ class Guard:
             told = f"This server is {self._names.shown}, and not {hosts[0][:100] if hosts else 'without a name'!r}"
             return Refusal(status=403, words=f"{told}; other names must be given to it by --host.")
         origins = headers.getlist("origin")
-        unsafe = scope["type"] == "websocket" or scope["method"] not in _SAFE
-        if unsafe and any(origin.lower() != f"http://{hosts[0].lower()}" for origin in origins):
+        if any(origin.lower() != f"http://{hosts[0].lower()}" for origin in origins):
             return Refusal(status=403, words=f"Pages of other origins ({origins[0][:100]}) may not use this server.")
+        if headers.get("sec-fetch-site") == "cross-site" and not _follows_link(scope, headers):
+            return Refusal(status=403, words="Pages of other sites may not use this server.")
         if not self._rates.take((scope.get("client") or ("", 0))[0]):
             return Refusal(
                 status=429, words="Too many requests; try again in a second.", headers=(("Retry-After", "1"),)
@@ -108,6 +109,12 @@ class Guard:
         answer = RedirectResponse(path + (f"?{rest}" if rest else ""), status_code=303)
         answer.set_cookie(self._cookie, self._token or "", httponly=True, samesite="strict", path="/")
         return answer
+
+
+def _follows_link(scope: Scope, headers: Headers) -> bool:
+    """Whether a browser opens the page itself, for somebody who sees it."""
+    opened = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == ("navigate", "document")
+    return opened and scope["type"] == "http" and scope["method"] in _SAFE and scope["path"] == "/"
 
 
 def _query(scope: Scope) -> list[tuple[str, str]]:
