@@ -30,6 +30,7 @@ from .operations import OPERATIONS
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from .page import FOLDER, page_files, page_reply
 from .pool import Pool
+from .protocol import HEAD
 from .replies import refusal
 from .uploads import Uploads
 
@@ -38,7 +39,13 @@ _NEAR, _FAR = (100.0, 300.0), (30.0, 120.0)  # requests a second, and at once, o
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Of a server. token   that requests must hold, None for none; page   the folder of the page's files"""
+    """Of a server.
+
+    token   that requests must hold, None for none
+    page    the folder of the page's files
+    head    seconds for the head of a request
+    each    connections of an address, None for any number
+    """
 
     host: str
     port: int
@@ -48,6 +55,8 @@ class Settings:
     limits: Limits = field(default_factory=Limits)
     quick: int = field(default_factory=lambda: max(2, min(cpu_count() or 2, 4)))
     rate: tuple[float, float] | None = None
+    head: float = HEAD
+    each: int | None = None
     abort: Callable[[WebSocket], None] = lambda _: None
 
 

@@ -11,7 +11,8 @@ import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import partial
+from typing import Any, cast
 
 import uvicorn
 from starlette.websockets import WebSocket
@@ -19,6 +20,7 @@ from starlette.websockets import WebSocket
 from ..errors import MachineError, Problem, ProblemsError
 from .app import Settings, application
 from .hosts import Names, is_loopback
+from .protocol import EACH, LimitedProtocol
 from .reading import JSON_BYTES
 
 _TRIES = 50
@@ -38,6 +40,11 @@ class Bound:
     def address(self) -> str:
         """To be opened in a browser."""
         return f"http://{self.names.shown}/" + (f"?token={self.token}" if self.token else "")
+
+    @property
+    def each(self) -> int | None:
+        """Connections that an address may have open: any number, where only this machine has any."""
+        return None if is_loopback(self.names.host) else EACH
 
 
 def bound(host: str, port: int, *, or_next: bool) -> Bound:
@@ -88,7 +95,7 @@ def serve(at: Bound, ready: Callable[[], None]) -> None:
 
     Raises MachineError where it cannot start.
     """
-    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token), ready)
+    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token, each=at.each), ready)
     with _quiet_signals():
         server.run(sockets=[at.listener])
     if not server.started:
@@ -101,6 +108,7 @@ def server_of(settings: Settings, ready: Callable[[], None]) -> uvicorn.Server:
     config = uvicorn.Config(
         application(replace(settings, abort=lambda websocket: _abort(holder[0], websocket))),
         lifespan="on",
+        http=cast("Any", partial(LimitedProtocol, head=settings.head, each=settings.each)),
         ws="websockets-sansio",
         ws_max_size=JSON_BYTES,
         ws_per_message_deflate=False,
