@@ -128,6 +128,23 @@ def test_a_token_in_the_address_becomes_a_cookie_that_scripts_and_other_sites_ca
     assert asked(token=TOKEN, cookie=cookie.split(";")[0]).text == "/?"
 
 
+@pytest.mark.parametrize(
+    "cookies",
+    [
+        '{own}; other="a b',
+        "other={{}}; {own}",
+        "a[0]=1;{own}; =; x",
+        "näme=ü; {own}",
+        "gearwright-8321=older; {own}",
+        'expires=Mon, 1 Jan; {own}; path="/"',
+    ],
+)
+def test_cookies_of_other_servers_on_the_host_are_in_nobodys_way(cookies):
+    own = f"gearwright-8321={TOKEN}"
+    assert asked(token=TOKEN, cookie=cookies.format(own=own).encode()).status_code == 200
+    assert asked(token=TOKEN, cookie=cookies.format(own=f"x{own}").encode()).status_code == 401
+
+
 def test_the_way_on_from_a_token_never_leaves_this_server():
     answer = asked("GET", f"//evil.example/?token={TOKEN}", token=TOKEN)
     assert answer.headers["location"].startswith("/")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from hmac import compare_digest
-from http.cookies import CookieError, SimpleCookie
 from typing import Any, final
 from urllib.parse import parse_qsl, urlencode
 
@@ -29,6 +28,7 @@ HEADERS = {
     "permissions-policy": "camera=(), microphone=(), geolocation=(), usb=(), payment=()",
 }
 _SAFE = ("GET", "HEAD", "OPTIONS")
+_MOST_COOKIES = 4
 _POLICY = 1008  # of WebSocket's codes
 
 
@@ -95,7 +95,7 @@ class Guard:
 
     def _let_in(self, headers: Headers, given: str | None) -> bool:
         bearer = headers.get("authorization", "")
-        held = [given or "", _cookie(headers, self._cookie), bearer[7:] if bearer[:7].lower() == "bearer " else ""]
+        held = [given or "", bearer[7:] if bearer[:7].lower() == "bearer " else "", *_cookies(headers, self._cookie)]
         return any([compare_digest(one.encode(), (self._token or "").encode()) for one in held])  # noqa: C419  none skipped
 
     @property
@@ -128,12 +128,10 @@ def _token_in_query(scope: Scope) -> str | None:
     return next((value for name, value in _query(scope) if name == "token"), None)
 
 
-def _cookie(headers: Headers, name: str) -> str:
-    try:
-        morsel = SimpleCookie(headers.get("cookie", "")).get(name)
-    except CookieError:
-        return ""
-    return morsel.value if morsel else ""
+def _cookies(headers: Headers, name: str) -> list[str]:
+    """The values of the first few cookies of a name, whatever other servers of this host have set beside them."""
+    pairs = [one.partition("=") for line in headers.getlist("cookie") for one in line.split(";")]
+    return [value.strip().strip('"') for own, _, value in pairs if own.strip() == name][:_MOST_COOKIES]
 
 
 async def _closed(words: str, receive: Receive, send: Send) -> None:
