@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.server.buckets import Bucket, Buckets
 from gearwright.server.guard import CSP, Guard
-from gearwright.server.hosts import Names, is_loopback, is_name
+from gearwright.server.hosts import Names, is_loopback, is_name, origin_of
 
 ALL = "0.0.0.0"  # noqa: S104
 TOKEN = "a-long-token-of-letters"  # noqa: S105
@@ -18,9 +18,11 @@ async def echo(scope, receive, send):
     await send({"type": "http.response.body", "body": text})
 
 
-def asked(method="GET", path="/", *, host="127.0.0.1", port=8321, token=None, rates=None, header=None, **headers):
+def asked(
+    method="GET", path="/", *, host="127.0.0.1", port=8321, outer=None, token=None, rates=None, header=None, **headers
+):
     """The answer of a guard for a server at host and port."""
-    guard = Guard(echo, Names(host=host, port=port), token, rates or Buckets(1e9, 1e9))
+    guard = Guard(echo, Names(host=host, port=port, origin=outer), token, rates or Buckets(1e9, 1e9))
 
     async def doing():
         transport = httpx.ASGITransport(guard)
@@ -86,6 +88,56 @@ def test_the_name_that_it_is_bound_to_is_its_own(host, header, status):
 )
 def test_pages_of_other_origins_neither_change_nor_read_anything(method, origin, status):
     assert asked(method, origin=origin).status_code == status
+
+
+@pytest.mark.parametrize(
+    ("outer", "header", "origin", "status"),
+    [
+        ("https://gear.example", "gear.example", "https://gear.example", 200),
+        ("https://gear.example", "Gear.example:443", "https://gear.example", 200),
+        ("https://gear.example", "127.0.0.1:8321", "https://gear.example", 200),  # the proxy set its own Host
+        ("https://gear.example", "127.0.0.1:8321", "http://127.0.0.1:8321", 200),
+        ("https://gear.example:8443", "gear.example:8443", "https://gear.example:8443", 200),
+        ("https://gear.example", "gear.example", "http://gear.example", 403),  # anyone between could be that one
+        ("https://gear.example", "gear.example:8443", "https://gear.example", 403),
+        ("https://gear.example", "gear.example:80", "https://gear.example", 403),
+        ("https://gear.example:8443", "gear.example", "https://gear.example:8443", 403),
+        ("https://gear.example", "evil.example", "https://gear.example", 403),
+        ("https://gear.example", "gear.example", "https://evil.example", 403),
+        ("https://gear.example", "gear.example", "https://gear.example.evil.example", 403),
+        (None, "gear.example", "https://gear.example", 403),
+    ],
+)
+def test_a_proxy_s_origin_is_this_server_s_own(outer, header, origin, status):
+    assert asked("POST", outer=outer, header=header, origin=origin).status_code == status
+
+
+def test_the_cookie_of_an_encrypted_origin_stays_with_it():
+    way = f"/?token={TOKEN}"
+    outer = asked("GET", way, outer="https://gear.example", header="gear.example", token=TOKEN)
+    assert "Secure" in outer.headers["set-cookie"]
+    assert "Secure" not in asked("GET", way, outer="https://gear.example", token=TOKEN).headers["set-cookie"]
+    assert "Secure" not in asked("GET", way, token=TOKEN).headers["set-cookie"]
+
+
+@pytest.mark.parametrize(
+    ("address", "found"),
+    [
+        ("https://Gear.example/", "https://gear.example"),
+        ("https://gear.example:443", "https://gear.example"),
+        ("http://gear.example:443", "http://gear.example:443"),
+        ("http://[fe80::1]:80", "http://[fe80::1]"),
+        ("gear.example", None),
+        ("https://gear.example/gears", None),
+        ("https://u:p@gear.example", None),
+        ("ftp://gear.example", None),
+        ("https://", None),
+        ("", None),
+        ("null", None),
+    ],
+)
+def test_origins_are_told_from_other_addresses(address, found):
+    assert origin_of(address) == found
 
 
 LINK = {"sec_fetch_mode": "navigate", "sec_fetch_dest": "document"}

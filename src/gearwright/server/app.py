@@ -42,6 +42,7 @@ class Settings:
     """Of a server.
 
     token   that requests must hold, None for none
+    origin  that browsers reach it by through a proxy, None where there is none
     page    the folder of the page's files
     head    seconds for the head of a request
     each    connections of an address, None for any number
@@ -50,6 +51,7 @@ class Settings:
     host: str
     port: int
     token: str | None = None
+    origin: str | None = None
     page: Path = FOLDER
     jobs: JobNames = field(default_factory=JobNames)
     limits: Limits = field(default_factory=Limits)
@@ -94,7 +96,7 @@ def application(settings: Settings) -> ASGIApp:
     ]
     inner = Starlette(routes=_joined(routes, settings), lifespan=lifespan, exception_handlers=_HANDLERS)
     rate = settings.rate or (_NEAR if is_loopback(settings.host) else _FAR)
-    names = Names(host=settings.host, port=settings.port)
+    names = Names(host=settings.host, port=settings.port, origin=settings.origin)
     return Guard(inner, names, settings.token, Buckets(*rate))
 
 

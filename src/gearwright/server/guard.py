@@ -69,7 +69,7 @@ class Guard:
         if found is not None:
             answer: Any = refusal(found.status, found.words, headers=dict(found.headers))
         elif given is not None and self._token is not None and scope["method"] in _SAFE:
-            answer = self._signed_in(scope)
+            answer = self._signed_in(scope, headers["host"])
         else:
             answer = self._app
         await answer(scope, receive, sending)
@@ -78,9 +78,9 @@ class Guard:
         hosts = headers.getlist("host")
         if len(hosts) != 1 or not self._names.known(hosts[0]):
             told = f"This server is {self._names.shown}, and not {hosts[0][:100] if hosts else 'without a name'!r}"
-            return Refusal(status=403, words=f"{told}; other names must be given to it by --host.")
+            return Refusal(status=403, words=f"{told}; other names must be given to it by --host or --origin.")
         origins = headers.getlist("origin")
-        if any(origin.lower() != f"http://{hosts[0].lower()}" for origin in origins):
+        if not all(self._names.own(origin, hosts[0]) for origin in origins):
             return Refusal(status=403, words=f"Pages of other origins ({origins[0][:100]}) may not use this server.")
         if headers.get("sec-fetch-site") == "cross-site" and not _follows_link(scope, headers):
             return Refusal(status=403, words="Pages of other sites may not use this server.")
@@ -102,12 +102,13 @@ class Guard:
     def _cookie(self) -> str:
         return f"gearwright-{self._names.port}"  # cookies know no ports
 
-    def _signed_in(self, scope: Scope) -> RedirectResponse:
+    def _signed_in(self, scope: Scope, host: str) -> RedirectResponse:
         """Has the browser keep the token and leave it out of the address."""
         rest = urlencode([pair for pair in _query(scope) if pair[0] != "token"])
         path = "/" + scope["path"].lstrip("/\\")  # never another host's
+        encrypted = (self._names.origin or "").startswith("https:") and self._names.is_outer(host)
         answer = RedirectResponse(path + (f"?{rest}" if rest else ""), status_code=303)
-        answer.set_cookie(self._cookie, self._token or "", httponly=True, samesite="strict", path="/")
+        answer.set_cookie(self._cookie, self._token or "", httponly=True, secure=encrypted, samesite="strict", path="/")
         return answer
 
 

@@ -39,16 +39,19 @@ class Bound:
     @property
     def address(self) -> str:
         """To be opened in a browser."""
-        return f"http://{self.names.shown}/" + (f"?token={self.token}" if self.token else "")
+        return f"{self.names.origin or f'http://{self.names.shown}'}/" + (f"?token={self.token}" if self.token else "")
 
     @property
     def each(self) -> int | None:
-        """Connections that an address may have open: any number, where only this machine has any."""
-        return None if is_loopback(self.names.host) else EACH
+        """Connections that an address may have: any number, where only this machine has any, or a proxy has all."""
+        return None if is_loopback(self.names.host) or self.names.origin is not None else EACH
 
 
-def bound(host: str, port: int, *, or_next: bool) -> Bound:
-    """A socket at a host and a port, 0 for any free one. or_next   take the next free one where it is taken
+def bound(host: str, port: int, *, or_next: bool, origin: str | None = None) -> Bound:
+    """A socket at a host and a port, 0 for any free one.
+
+    or_next   take the next free one where it is taken
+    origin    that browsers reach it by through a proxy, which lets in others than this machine
 
     Raises ProblemsError where it cannot be had.
     """
@@ -59,8 +62,8 @@ def bound(host: str, port: int, *, or_next: bool) -> Bound:
             if error.errno == errno.EADDRINUSE and or_next:
                 continue
             raise ProblemsError("The server cannot start", [_problem(error, host, offered)]) from None
-        token = None if is_loopback(host) else secrets.token_urlsafe(24)
-        names = Names(host=host, port=listener.getsockname()[1])
+        token = None if is_loopback(host) and origin is None else secrets.token_urlsafe(24)
+        names = Names(host=host, port=listener.getsockname()[1], origin=origin)
         return Bound(listener=listener, names=names, token=token, moved=offered != port)
     words = f"this and the next {_TRIES} ports are taken; name another one by --port"
     raise ProblemsError("The server cannot start", [Problem(f"--port {port}", words)])
@@ -95,7 +98,9 @@ def serve(at: Bound, ready: Callable[[], None]) -> None:
 
     Raises MachineError where it cannot start.
     """
-    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token, each=at.each), ready)
+    server = server_of(
+        Settings(host=at.names.host, port=at.names.port, token=at.token, origin=at.names.origin, each=at.each), ready
+    )
     with _quiet_signals():
         server.run(sockets=[at.listener])
     if not server.started:
