@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from gearwright.server.files import Files
 from gearwright.server.outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from gearwright.server.pool import Pool
 
@@ -180,11 +181,46 @@ def test_a_job_beyond_its_time_is_stopped():
     async def doing(pool):
         job = pool.submit(source(work.sleep), {}, seconds=0.4)
         first = await anext(aiter(job))
-        with pytest.raises(JobFailedError, match=r"longer than 0.4 s"):
+        with pytest.raises(JobFailedError, match=r"longer than 0.4 s .* such as fewer teeth"):
             await taken(job)
         await gone(first["pid"])
 
     in_pool(doing)
+
+
+def test_a_coarser_tolerance_is_offered_only_to_files_that_have_one(tmp_path):
+    async def doing(pool):
+        files = Files(tmp_path, pool, seconds=0.2)
+        file = files.begin(source(work.sleep), {"request": {}})
+        while not file.over:
+            await asyncio.sleep(0.02)
+        await files.close()
+        return file.headline
+
+    assert "such as a coarser tolerance" in in_pool(doing)
+
+
+@pytest.mark.parametrize("debugging", ["", "1"])
+def test_warnings_of_workers_reach_the_terminal_only_of_those_who_look_for_faults(debugging):
+    script = (
+        "import asyncio\n"
+        "from gearwright.server.pool import Pool\n"
+        "async def main():\n"
+        "    pool = Pool(1, warm=None)\n"
+        "    pool.start()\n"
+        f"    print([one async for one in pool.submit('{work.__name__}:warn', {{}}, seconds=60.0)])\n"
+        "    await pool.close()\n"
+        "if __name__ == '__main__':\n"
+        "    asyncio.run(main())\n"
+    )
+    path = os.pathsep.join([*filter(None, sys.path), str(Path.cwd())])
+    environment = {**os.environ, "PYTHONPATH": path, "GEARWRIGHT_DEBUG": debugging}
+    environment.pop("PYTHONWARNINGS", None)
+    told = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, env=environment, timeout=60, check=False
+    )
+    assert told.stdout == "[{'warned': True}]\n", told.stderr
+    assert ("RuntimeWarning: of a division" in told.stderr) == bool(debugging)
 
 
 def test_refusals_name_the_parameter_and_the_member():

@@ -19,6 +19,7 @@ from .pool import WAITING, Pool
 SECONDS = 600.0
 _KEPT = 600.0  # seconds, once done
 _MOST = 50
+_LESS = "a coarser tolerance"
 
 State = Literal["waiting", "working", "done", "failed", "cancelled"]
 
@@ -81,7 +82,7 @@ class Files:
         folder = self._folder / name
         folder.mkdir(mode=0o700)
         try:
-            job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds)
+            job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds, less=_LESS)
         except BusyError:
             folder.rmdir()
             raise

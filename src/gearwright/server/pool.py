@@ -24,6 +24,9 @@ PATIENCE = 2.0
 
 WAITING = {"answer": "stage", "text": "waiting for a free worker"}
 
+LESS = "fewer teeth or a simpler section"
+"""What makes any job shorter."""
+
 _AGAIN = 1.0  # seconds until a worker that could not be started is tried again
 
 GONE = "The worker that did this was lost: it crashed, or the system ended it, as when memory runs out."
@@ -82,18 +85,19 @@ class Pool:
         for _ in range(self._size):
             self._start_one()
 
-    def submit(self, source: str, request: Any, *, seconds: float, first: bool = False) -> Job:
+    def submit(self, source: str, request: Any, *, seconds: float, first: bool = False, less: str = LESS) -> Job:
         """A job for the next free worker.
 
         source    of a generator function of the request
         seconds   after which its worker is killed
         first     whether somebody looks at what it answers, so that it goes before others
+        less      what to ask for where it takes too long
 
         Raises BusyError where too many of its kind wait.
         """
         if self._closed or sum(one.first == first for one in self._waiting) >= self._most_waiting:
             raise BusyError("The server is busy; try again in a few seconds.")
-        job = Job(next(self._numbers), source, request, seconds, self._cancel, first)
+        job = Job(next(self._numbers), source, request, self._cancel, seconds=seconds, first=first, less=less)
         self._waiting.append(job)
         self._dispatch()
         if job in self._waiting:
@@ -235,9 +239,7 @@ class Pool:
 
     def _too_long(self, process: Process, job: Job) -> None:
         if self._running.get(process) is job:
-            text = (
-                f"This took longer than {job.seconds:g} s and was stopped; ask for less, such as a coarser tolerance."
-            )
+            text = f"This took longer than {job.seconds:g} s and was stopped; ask for less, such as {job.less}."
             job.end(JobFailedError(text, lost=True))
             self._replace(process)
 
