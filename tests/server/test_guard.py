@@ -5,7 +5,7 @@ import pytest
 
 from gearwright.server.buckets import Bucket, Buckets
 from gearwright.server.guard import CSP, Guard
-from gearwright.server.hosts import Names, is_loopback, is_name
+from gearwright.server.hosts import Names, is_loopback, is_name, origin_of
 
 ALL = "0.0.0.0"  # noqa: S104
 TOKEN = "a-long-token-of-letters"  # noqa: S105
@@ -18,9 +18,11 @@ async def echo(scope, receive, send):
     await send({"type": "http.response.body", "body": text})
 
 
-def asked(method="GET", path="/", *, host="127.0.0.1", port=8321, token=None, rates=None, header=None, **headers):
+def asked(
+    method="GET", path="/", *, host="127.0.0.1", port=8321, outer=None, token=None, rates=None, header=None, **headers
+):
     """The answer of a guard for a server at host and port."""
-    guard = Guard(echo, Names(host=host, port=port), token, rates or Buckets(1e9, 1e9))
+    guard = Guard(echo, Names(host=host, port=port, origin=outer), token, rates or Buckets(1e9, 1e9))
 
     async def doing():
         transport = httpx.ASGITransport(guard)
@@ -80,11 +82,84 @@ def test_the_name_that_it_is_bound_to_is_its_own(host, header, status):
         ("POST", "https://127.0.0.1:8321", 403),
         ("POST", "null", 403),
         ("PUT", "http://127.0.0.1:8321.evil.example", 403),
-        ("GET", "http://evil.example", 200),
+        ("GET", "http://evil.example", 403),
+        ("GET", "http://127.0.0.1:8321", 200),
     ],
 )
-def test_pages_of_other_origins_change_nothing(method, origin, status):
+def test_pages_of_other_origins_neither_change_nor_read_anything(method, origin, status):
     assert asked(method, origin=origin).status_code == status
+
+
+@pytest.mark.parametrize(
+    ("outer", "header", "origin", "status"),
+    [
+        ("https://gear.example", "gear.example", "https://gear.example", 200),
+        ("https://gear.example", "Gear.example:443", "https://gear.example", 200),
+        ("https://gear.example", "127.0.0.1:8321", "https://gear.example", 200),  # the proxy set its own Host
+        ("https://gear.example", "127.0.0.1:8321", "http://127.0.0.1:8321", 200),
+        ("https://gear.example:8443", "gear.example:8443", "https://gear.example:8443", 200),
+        ("https://gear.example", "gear.example", "http://gear.example", 403),  # anyone between could be that one
+        ("https://gear.example", "gear.example:8443", "https://gear.example", 403),
+        ("https://gear.example", "gear.example:80", "https://gear.example", 403),
+        ("https://gear.example:8443", "gear.example", "https://gear.example:8443", 403),
+        ("https://gear.example", "evil.example", "https://gear.example", 403),
+        ("https://gear.example", "gear.example", "https://evil.example", 403),
+        ("https://gear.example", "gear.example", "https://gear.example.evil.example", 403),
+        (None, "gear.example", "https://gear.example", 403),
+    ],
+)
+def test_a_proxy_s_origin_is_this_server_s_own(outer, header, origin, status):
+    assert asked("POST", outer=outer, header=header, origin=origin).status_code == status
+
+
+def test_the_cookie_of_an_encrypted_origin_stays_with_it():
+    way = f"/?token={TOKEN}"
+    outer = asked("GET", way, outer="https://gear.example", header="gear.example", token=TOKEN)
+    assert "Secure" in outer.headers["set-cookie"]
+    assert "Secure" not in asked("GET", way, outer="https://gear.example", token=TOKEN).headers["set-cookie"]
+    assert "Secure" not in asked("GET", way, token=TOKEN).headers["set-cookie"]
+
+
+@pytest.mark.parametrize(
+    ("address", "found"),
+    [
+        ("https://Gear.example/", "https://gear.example"),
+        ("https://gear.example:443", "https://gear.example"),
+        ("http://gear.example:443", "http://gear.example:443"),
+        ("http://[fe80::1]:80", "http://[fe80::1]"),
+        ("gear.example", None),
+        ("https://gear.example/gears", None),
+        ("https://u:p@gear.example", None),
+        ("ftp://gear.example", None),
+        ("https://", None),
+        ("", None),
+        ("null", None),
+    ],
+)
+def test_origins_are_told_from_other_addresses(address, found):
+    assert origin_of(address) == found
+
+
+LINK = {"sec_fetch_mode": "navigate", "sec_fetch_dest": "document"}
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "headers", "status"),
+    [
+        ("GET", "/api/health", {"sec_fetch_mode": "no-cors", "sec_fetch_dest": "image"}, 403),
+        ("GET", "/", {"sec_fetch_mode": "no-cors", "sec_fetch_dest": "image"}, 403),
+        ("GET", "/", {"sec_fetch_mode": "navigate", "sec_fetch_dest": "iframe"}, 403),
+        ("GET", "/api/health", LINK, 403),
+        ("POST", "/", LINK, 403),
+        ("GET", "/", LINK, 200),
+    ],
+)
+def test_other_sites_may_only_link_to_the_page_and_use_up_nothing(method, path, headers, status):
+    rates = Buckets(1.0, 1.0, clock=lambda: 0.0)
+    for _ in range(3 if status == 403 else 1):
+        assert asked(method, path, rates=rates, sec_fetch_site="cross-site", **headers).status_code == status
+    own = asked(rates=rates, sec_fetch_site="same-origin", sec_fetch_mode="cors", sec_fetch_dest="empty")
+    assert own.status_code == (200 if status == 403 else 429)
 
 
 def test_a_token_is_needed_where_there_is_one():
@@ -103,6 +178,23 @@ def test_a_token_in_the_address_becomes_a_cookie_that_scripts_and_other_sites_ca
     cookie = answer.headers["set-cookie"]
     assert {"HttpOnly", "SameSite=strict", "Path=/"} <= {part.strip() for part in cookie.split(";")}
     assert asked(token=TOKEN, cookie=cookie.split(";")[0]).text == "/?"
+
+
+@pytest.mark.parametrize(
+    "cookies",
+    [
+        '{own}; other="a b',
+        "other={{}}; {own}",
+        "a[0]=1;{own}; =; x",
+        "näme=ü; {own}",
+        "gearwright-8321=older; {own}",
+        'expires=Mon, 1 Jan; {own}; path="/"',
+    ],
+)
+def test_cookies_of_other_servers_on_the_host_are_in_nobodys_way(cookies):
+    own = f"gearwright-8321={TOKEN}"
+    assert asked(token=TOKEN, cookie=cookies.format(own=own).encode()).status_code == 200
+    assert asked(token=TOKEN, cookie=cookies.format(own=f"x{own}").encode()).status_code == 401
 
 
 def test_the_way_on_from_a_token_never_leaves_this_server():

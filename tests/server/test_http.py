@@ -344,6 +344,29 @@ def test_a_body_of_a_gigabyte_is_refused_without_being_read(server, chunked):
     assert answer == b"" or answer.startswith(b"HTTP/1.1 413")
 
 
+@pytest.mark.parametrize(
+    ("path", "size", "told"),
+    [("/api/uploads?name=a.csv", 40_000_000, "at most 20 MB"), ("/api/build", 3 << 20, "at most 1 MiB")],
+)
+def test_a_client_that_sends_all_before_it_reads_gets_to_read_the_refusal(server, path, size, told):
+    head = f"POST {path} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: {size}\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", server.port), timeout=30) as connection:
+        connection.sendall(head.encode())
+        connection.sendall(bytes(size))
+        answer = connection.recv(1 << 16)
+        while b"}" not in answer:
+            answer += connection.recv(1 << 16)
+    assert answer.startswith(b"HTTP/1.1 413")
+    assert told in answer.decode()
+
+
+def test_a_client_that_asks_before_it_sends_is_refused_at_once(server):
+    lines = (f"Host: 127.0.0.1:{server.port}", "Content-Length: 40000000", "Expect: 100-continue", "", "")
+    with socket.create_connection(("127.0.0.1", server.port), timeout=30) as connection:
+        connection.sendall("\r\n".join(["POST /api/uploads?name=a.csv HTTP/1.1", *lines]).encode())
+        assert connection.recv(1 << 16).startswith(b"HTTP/1.1 413")
+
+
 def test_bodies_that_are_too_large_are_told(client):
     refused(client.post("/api/build", content=b" " * ((1 << 20) + 1)), 413)
     refused(client.post("/api/build", content=(b" " * (1 << 18) for _ in range(5))), 413)

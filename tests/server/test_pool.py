@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from gearwright.server.files import Files
 from gearwright.server.outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from gearwright.server.pool import Pool
 
@@ -180,11 +181,46 @@ def test_a_job_beyond_its_time_is_stopped():
     async def doing(pool):
         job = pool.submit(source(work.sleep), {}, seconds=0.4)
         first = await anext(aiter(job))
-        with pytest.raises(JobFailedError, match=r"longer than 0.4 s"):
+        with pytest.raises(JobFailedError, match=r"longer than 0.4 s .* such as fewer teeth"):
             await taken(job)
         await gone(first["pid"])
 
     in_pool(doing)
+
+
+def test_a_coarser_tolerance_is_offered_only_to_files_that_have_one(tmp_path):
+    async def doing(pool):
+        files = Files(tmp_path, pool, seconds=0.2)
+        file = files.begin(source(work.sleep), {"request": {}})
+        while not file.over:
+            await asyncio.sleep(0.02)
+        await files.close()
+        return file.headline
+
+    assert "such as a coarser tolerance" in in_pool(doing)
+
+
+@pytest.mark.parametrize("debugging", ["", "1"])
+def test_warnings_of_workers_reach_the_terminal_only_of_those_who_look_for_faults(debugging):
+    script = (
+        "import asyncio\n"
+        "from gearwright.server.pool import Pool\n"
+        "async def main():\n"
+        "    pool = Pool(1, warm=None)\n"
+        "    pool.start()\n"
+        f"    print([one async for one in pool.submit('{work.__name__}:warn', {{}}, seconds=60.0)])\n"
+        "    await pool.close()\n"
+        "if __name__ == '__main__':\n"
+        "    asyncio.run(main())\n"
+    )
+    path = os.pathsep.join([*filter(None, sys.path), str(Path.cwd())])
+    environment = {**os.environ, "PYTHONPATH": path, "GEARWRIGHT_DEBUG": debugging}
+    environment.pop("PYTHONWARNINGS", None)
+    told = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, env=environment, timeout=60, check=False
+    )
+    assert told.stdout == "[{'warned': True}]\n", told.stderr
+    assert ("RuntimeWarning: of a division" in told.stderr) == bool(debugging)
 
 
 def test_refusals_name_the_parameter_and_the_member():
@@ -250,3 +286,53 @@ def test_workers_end_with_the_process_that_has_them(busy):
         while alive(pid):
             assert time.monotonic() < ends
             time.sleep(0.02)
+
+
+def test_what_goes_first_has_a_worker_kept_and_overtakes_what_waits():
+    async def doing(pool):
+        others = [pool.submit(source(work.sleep), {}, seconds=SECONDS) for _ in range(3)]
+        await anext(aiter(others[0]))
+        holding = pool.submit(source(work.sleep), {}, seconds=SECONDS, first=True)
+        await anext(aiter(holding))
+        looked_at = pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, first=True)
+        before = pool.numbers
+        others[0].cancel()  # its worker is free now, and the one that is looked at came after the others
+        await taken(looked_at)
+        return before, [one.ended.is_set() for one in others]
+
+    before, ended = in_pool(doing, size=2, kept=1, grace=0.0)
+    assert (before.busy, before.waiting) == (2, 3)
+    assert ended == [True, False, False]
+
+
+def test_what_waits_too_long_turns_away_only_its_like():
+    async def doing(pool):
+        for _ in range(3):
+            pool.submit(source(work.sleep), {}, seconds=SECONDS)
+        with pytest.raises(BusyError):
+            pool.submit(source(work.sleep), {}, seconds=SECONDS)
+        return await taken(pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, first=True))
+
+    assert len(in_pool(doing, size=2, kept=1, most_waiting=3)) == 1
+
+
+def test_a_job_that_waits_long_is_told_once():
+    async def doing(pool):
+        holding = pool.submit(source(work.count), {"to": 10, "pause": 0.1}, seconds=SECONDS)
+        await anext(aiter(holding))
+        waiting = pool.submit(source(work.count), {"to": 1}, seconds=SECONDS)
+        at_once, *rest = await asyncio.gather(taken(holding), taken(waiting))
+        return at_once, rest[0]
+
+    holding, waiting = in_pool(doing, patience=0.1)
+    assert waiting[0] == {"answer": "stage", "text": "waiting for a free worker"}
+    assert [one.get("k") for one in waiting[1:]] == [0]
+    assert all("k" in one for one in holding)
+
+
+def test_a_job_that_is_begun_at_once_is_not_told_to_wait():
+    async def doing(pool):
+        await taken(pool.submit(source(work.count), {"to": 1}, seconds=SECONDS))
+        return await taken(pool.submit(source(work.count), {"to": 3, "pause": 0.1}, seconds=SECONDS))
+
+    assert [one["k"] for one in in_pool(doing, patience=0.05)] == [0, 1, 2]

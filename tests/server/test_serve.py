@@ -24,7 +24,7 @@ def serving(*words, **variables):
     ) as process:
         try:
             line = process.stdout.readline()
-            found = re.fullmatch(r"Gearwright's designer page: (http://\S+) – Ctrl-C ends it\.\n", line)
+            found = re.fullmatch(r"Gearwright's designer page: (https?://\S+) – Ctrl-C ends it\.\n", line)
             assert found, line + process.stderr.read()
             yield process, found[1]
         finally:
@@ -102,6 +102,8 @@ def test_a_port_that_is_asked_for_and_taken_is_refused(run):
         (("--port", 70000), "0 to 65535"),
         (("--port", -1), "0 to 65535"),
         (("--port", "x"), "--port"),
+        (("--origin", "gear.example"), "such as https://gear.example"),
+        (("--origin", "https://gear.example/gears"), "such as https://gear.example"),
         (("--host", "no host"), "name or an address"),
         (("--host", "192.0.2.1", "--port", 0), "no such name or address"),
         (("--host", "nowhere.invalid", "--port", 0), "no such name or address"),
@@ -132,6 +134,19 @@ def test_others_than_this_machine_need_the_token_that_is_printed():
             assert browser.get(f"{url}api/materials").status_code == 200
         headers = {"Authorization": f"Bearer {token}"}
         assert httpx.get(f"{url}api/materials", headers=headers, trust_env=False).status_code == 200
+
+
+def test_behind_a_proxy_the_token_is_needed_although_it_is_this_machine_that_asks():
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    with serving("--port", port, "--origin", "https://gear.example/") as (_, address):
+        token = re.fullmatch(r"https://gear\.example/\?token=(\S{20,})", address)[1]
+        url = f"http://127.0.0.1:{port}/api/read"
+        headers = {"Host": "gear.example", "Origin": "https://gear.example", "Authorization": f"Bearer {token}"}
+        asked = {"json": {"toml": 'element = "spur"'}, "timeout": 60, "trust_env": False}
+        assert httpx.post(url, headers=headers, **asked).status_code == 200
+        assert httpx.post(url, headers={**headers, "Authorization": ""}, **asked).status_code == 401
+        assert httpx.post(url, headers={**headers, "Origin": "https://evil.example"}, **asked).status_code == 403
 
 
 def test_the_browser_is_opened_at_the_address(monkeypatch, run):

@@ -5,6 +5,7 @@ import os
 import re
 import signal
 import time
+import warnings
 
 from gearwright.errors import FileError, ParameterError, Problem
 
@@ -50,6 +51,11 @@ def refuse(request):
 def refuse_file(request):
     raise FileError("section.dxf: broken")
     yield {}
+
+
+def warn(request):
+    warnings.warn("of a division", RuntimeWarning, stacklevel=1)
+    yield {"warned": True}
 
 
 def fault(request):

@@ -19,7 +19,9 @@ from ..materials import MATERIALS
 from ..parameters import did_you_mean
 from .bodies import BUILD, FILES, PLOTS, READ, TEXTS, Field, body_problems
 from .files import FileJob, Files
+from .job import Job
 from .job_names import PREFIX, JobNames, admitted
+from .leaving import while_there
 from .openapi import document
 from .outcomes import JobRefusedError
 from .plain_json import NoJsonError, parsed
@@ -80,16 +82,16 @@ class Api:
         return reply(await self._fact(self._names.schema, {"element": element}))
 
     async def read(self, request: Request) -> Response:
-        return reply(await self._one(self._names.read, await _fields(request, READ), "quick"))
+        return reply(await self._one(request, self._names.read, await _fields(request, READ), "quick"))
 
     async def texts(self, request: Request) -> Response:
-        return reply(await self._of_design(self._names.texts, await _fields(request, TEXTS), "quick"))
+        return reply(await self._of_design(request, self._names.texts, await _fields(request, TEXTS), "quick"))
 
     async def build(self, request: Request) -> Response:
-        return reply(await self._of_design(self._names.build, await _fields(request, BUILD), "build"))
+        return reply(await self._of_design(request, self._names.build, await _fields(request, BUILD), "build"))
 
     async def plots(self, request: Request) -> Response:
-        return reply(await self._of_design(self._names.plot, await _fields(request, PLOTS), "plot"))
+        return reply(await self._of_design(request, self._names.plot, await _fields(request, PLOTS), "plot"))
 
     async def begin_file(self, request: Request) -> Response:
         source, wrapped = admitted(self._names.file, await _fields(request, FILES), self._uploads.folder)
@@ -123,7 +125,7 @@ class Api:
         path = await asyncio.to_thread(self._uploads.keep, name, data)
         try:
             checked = {"path": str(path), "folder": str(self._uploads.folder)}
-            await self._one(self._names.check_upload, checked, "plot")
+            await self._one(request, self._names.check_upload, checked, "plot")
         except BaseException:
             self._uploads.forget(path)
             raise
@@ -137,30 +139,37 @@ class Api:
                 404, "There is no such file; files are forgotten ten minutes after they are made."
             ) from None
 
-    async def _of_design(self, source: str, fields: dict[str, Any], limit: str) -> dict[str, Any]:
-        return await self._one(*admitted(source, fields, self._uploads.folder), limit)
+    async def _of_design(self, request: Request, source: str, fields: dict[str, Any], limit: str) -> dict[str, Any]:
+        return await self._one(request, *admitted(source, fields, self._uploads.folder), limit)
 
-    async def _one(self, source: str, request: Mapping[str, Any], limit: str) -> dict[str, Any]:
-        """The one dict that a job yields. Raises JobError."""
-        job = self._quick.submit(source, request, seconds=_SECONDS[limit])
-        found: dict[str, Any] | None = None
-        try:
-            async for answer in job:
-                if isinstance(answer, dict) and answer.get("answer") != "stage":
-                    found = answer
-        finally:
-            job.cancel()
-        if found is None:
-            raise JobRefusedError("Nothing was answered.")
-        return found
+    async def _one(self, request: Request, source: str, asked: Mapping[str, Any], limit: str) -> dict[str, Any]:
+        """The one dict that a job yields to the client of a request, while that is there. Raises JobError."""
+        job = self._quick.submit(source, asked, seconds=_SECONDS[limit])
+        async with while_there(request, job):
+            return await _only(job)
 
-    async def _fact(self, source: str, request: Mapping[str, Any]) -> dict[str, Any]:
-        """What a job always answers, found once."""
-        key = f"{source} {json.dumps(request)}"
+    async def _fact(self, source: str, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """What a job always answers, found once, whoever asked first: no page begins without."""
+        key = f"{source} {json.dumps(asked)}"
         task = self._known.get(key)
         if task is None or (task.done() and (task.cancelled() or task.exception() is not None)):
-            task = self._known[key] = asyncio.ensure_future(self._one(source, request, "known"))
+            job = self._quick.submit(source, asked, seconds=_SECONDS["known"], first=True)
+            task = self._known[key] = asyncio.ensure_future(_only(job))
         return await asyncio.shield(task)
+
+
+async def _only(job: Job) -> dict[str, Any]:
+    """The one dict that a job yields, besides stages. Raises JobError."""
+    found: dict[str, Any] | None = None
+    try:
+        async for answer in job:
+            if isinstance(answer, dict) and answer.get("answer") != "stage":
+                found = answer
+    finally:
+        job.cancel()
+    if found is None:
+        raise JobRefusedError("Nothing was answered.")
+    return found
 
 
 async def _fields(request: Request, fields: Mapping[str, Field]) -> dict[str, Any]:

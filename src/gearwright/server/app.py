@@ -30,6 +30,7 @@ from .operations import OPERATIONS
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from .page import FOLDER, page_files, page_reply
 from .pool import Pool
+from .protocol import HEAD
 from .replies import refusal
 from .uploads import Uploads
 
@@ -38,16 +39,26 @@ _NEAR, _FAR = (100.0, 300.0), (30.0, 120.0)  # requests a second, and at once, o
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Of a server. token   that requests must hold, None for none; page   the folder of the page's files"""
+    """Of a server.
+
+    token   that requests must hold, None for none
+    origin  that browsers reach it by through a proxy, None where there is none
+    page    the folder of the page's files
+    head    seconds for the head of a request
+    each    connections of an address, None for any number
+    """
 
     host: str
     port: int
     token: str | None = None
+    origin: str | None = None
     page: Path = FOLDER
     jobs: JobNames = field(default_factory=JobNames)
     limits: Limits = field(default_factory=Limits)
     quick: int = field(default_factory=lambda: max(2, min(cpu_count() or 2, 4)))
     rate: tuple[float, float] | None = None
+    head: float = HEAD
+    each: int | None = None
     abort: Callable[[WebSocket], None] = lambda _: None
 
 
@@ -56,7 +67,7 @@ def application(settings: Settings) -> ASGIApp:
     folder = Path(tempfile.mkdtemp(prefix="gearwright-"))  # only its owner reads it
     for name in ("uploads", "files"):
         (folder / name).mkdir(mode=0o700)
-    quick, heavy = Pool(settings.quick, spares=1), Pool(1, warm=None)
+    quick, heavy = Pool(settings.quick, spares=1, kept=1), Pool(1, warm=None)
     files = Files(folder / "files", heavy)
     uploads = Uploads(folder / "uploads")
     api = Api(quick, heavy, files, uploads, settings.jobs)
@@ -85,7 +96,7 @@ def application(settings: Settings) -> ASGIApp:
     ]
     inner = Starlette(routes=_joined(routes, settings), lifespan=lifespan, exception_handlers=_HANDLERS)
     rate = settings.rate or (_NEAR if is_loopback(settings.host) else _FAR)
-    names = Names(host=settings.host, port=settings.port)
+    names = Names(host=settings.host, port=settings.port, origin=settings.origin)
     return Guard(inner, names, settings.token, Buckets(*rate))
 
 

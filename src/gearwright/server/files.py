@@ -14,11 +14,12 @@ from typing import Any, Literal, final
 
 from .job import Job
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
-from .pool import Pool
+from .pool import WAITING, Pool
 
 SECONDS = 600.0
 _KEPT = 600.0  # seconds, once done
 _MOST = 50
+_LESS = "a coarser tolerance"
 
 State = Literal["waiting", "working", "done", "failed", "cancelled"]
 
@@ -81,7 +82,7 @@ class Files:
         folder = self._folder / name
         folder.mkdir(mode=0o700)
         try:
-            job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds)
+            job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds, less=_LESS)
         except BusyError:
             folder.rmdir()
             raise
@@ -142,7 +143,7 @@ def _take(file: FileJob, answer: Mapping[str, Any]) -> None:
         file.state, file.stage = "done", ""
         file.path, file.name = Path(answer["file"]), answer["name"]
         return
-    file.state = "working"
+    file.state = "waiting" if answer == WAITING else "working"
     file.stage = str(answer.get("stage") or answer.get("text") or "")
 
 

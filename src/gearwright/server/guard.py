@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from hmac import compare_digest
-from http.cookies import CookieError, SimpleCookie
 from typing import Any, final
 from urllib.parse import parse_qsl, urlencode
 
@@ -29,6 +28,7 @@ HEADERS = {
     "permissions-policy": "camera=(), microphone=(), geolocation=(), usb=(), payment=()",
 }
 _SAFE = ("GET", "HEAD", "OPTIONS")
+_MOST_COOKIES = 4
 _POLICY = 1008  # of WebSocket's codes
 
 
@@ -69,7 +69,7 @@ class Guard:
         if found is not None:
             answer: Any = refusal(found.status, found.words, headers=dict(found.headers))
         elif given is not None and self._token is not None and scope["method"] in _SAFE:
-            answer = self._signed_in(scope)
+            answer = self._signed_in(scope, headers["host"])
         else:
             answer = self._app
         await answer(scope, receive, sending)
@@ -78,11 +78,12 @@ class Guard:
         hosts = headers.getlist("host")
         if len(hosts) != 1 or not self._names.known(hosts[0]):
             told = f"This server is {self._names.shown}, and not {hosts[0][:100] if hosts else 'without a name'!r}"
-            return Refusal(status=403, words=f"{told}; other names must be given to it by --host.")
+            return Refusal(status=403, words=f"{told}; other names must be given to it by --host or --origin.")
         origins = headers.getlist("origin")
-        unsafe = scope["type"] == "websocket" or scope["method"] not in _SAFE
-        if unsafe and any(origin.lower() != f"http://{hosts[0].lower()}" for origin in origins):
+        if not all(self._names.own(origin, hosts[0]) for origin in origins):
             return Refusal(status=403, words=f"Pages of other origins ({origins[0][:100]}) may not use this server.")
+        if headers.get("sec-fetch-site") == "cross-site" and not _follows_link(scope, headers):
+            return Refusal(status=403, words="Pages of other sites may not use this server.")
         if not self._rates.take((scope.get("client") or ("", 0))[0]):
             return Refusal(
                 status=429, words="Too many requests; try again in a second.", headers=(("Retry-After", "1"),)
@@ -94,20 +95,27 @@ class Guard:
 
     def _let_in(self, headers: Headers, given: str | None) -> bool:
         bearer = headers.get("authorization", "")
-        held = [given or "", _cookie(headers, self._cookie), bearer[7:] if bearer[:7].lower() == "bearer " else ""]
+        held = [given or "", bearer[7:] if bearer[:7].lower() == "bearer " else "", *_cookies(headers, self._cookie)]
         return any([compare_digest(one.encode(), (self._token or "").encode()) for one in held])  # noqa: C419  none skipped
 
     @property
     def _cookie(self) -> str:
         return f"gearwright-{self._names.port}"  # cookies know no ports
 
-    def _signed_in(self, scope: Scope) -> RedirectResponse:
+    def _signed_in(self, scope: Scope, host: str) -> RedirectResponse:
         """Has the browser keep the token and leave it out of the address."""
         rest = urlencode([pair for pair in _query(scope) if pair[0] != "token"])
         path = "/" + scope["path"].lstrip("/\\")  # never another host's
+        encrypted = (self._names.origin or "").startswith("https:") and self._names.is_outer(host)
         answer = RedirectResponse(path + (f"?{rest}" if rest else ""), status_code=303)
-        answer.set_cookie(self._cookie, self._token or "", httponly=True, samesite="strict", path="/")
+        answer.set_cookie(self._cookie, self._token or "", httponly=True, secure=encrypted, samesite="strict", path="/")
         return answer
+
+
+def _follows_link(scope: Scope, headers: Headers) -> bool:
+    """Whether a browser opens the page itself, for somebody who sees it."""
+    opened = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == ("navigate", "document")
+    return opened and scope["type"] == "http" and scope["method"] in _SAFE and scope["path"] == "/"
 
 
 def _query(scope: Scope) -> list[tuple[str, str]]:
@@ -121,12 +129,10 @@ def _token_in_query(scope: Scope) -> str | None:
     return next((value for name, value in _query(scope) if name == "token"), None)
 
 
-def _cookie(headers: Headers, name: str) -> str:
-    try:
-        morsel = SimpleCookie(headers.get("cookie", "")).get(name)
-    except CookieError:
-        return ""
-    return morsel.value if morsel else ""
+def _cookies(headers: Headers, name: str) -> list[str]:
+    """The values of the first few cookies of a name, whatever other servers of this host have set beside them."""
+    pairs = [one.partition("=") for line in headers.getlist("cookie") for one in line.split(";")]
+    return [value.strip().strip('"') for own, _, value in pairs if own.strip() == name][:_MOST_COOKIES]
 
 
 async def _closed(words: str, receive: Receive, send: Send) -> None:

@@ -12,9 +12,22 @@ _ANY = ("0.0.0.0", "::")  # noqa: S104  compared with, not bound to
 _NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]+")
 
 
+_ORIGIN = re.compile(r"(https?)://([A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:.]+\])(?::([0-9]{1,5}))?/?")
+_PORTS = {"http": "80", "https": "443"}
+
+
 def is_name(host: str) -> bool:
     """Whether this can be a host's name or address."""
     return _NAME.fullmatch(host) is not None
+
+
+def origin_of(address: str) -> str | None:
+    """An address of nothing but scheme, host and port as browsers write it in Origin headers; None for any other."""
+    found = _ORIGIN.fullmatch(address)
+    if found is None:
+        return None
+    scheme, host, port = found.groups()
+    return f"{scheme}://{host.lower()}" + (f":{port}" if port not in (None, _PORTS[scheme]) else "")
 
 
 def is_loopback(host: str) -> bool:
@@ -31,17 +44,35 @@ class Names:
 
     Bound to all addresses, it is known by any address, which no name server can make another page's, and by the
     machine's own name.
+
+    origin   that browsers reach it by through a proxy, as `origin_of` gives it; None where there is none
     """
 
     host: str
     port: int
+    origin: str | None = None
 
     def known(self, header: str) -> bool:
         """Whether a Host header is one of this server's."""
+        if self.is_outer(header):
+            return True
         name, _, port = header.rpartition(":") if re.search(r":\d+$", header) else (header, "", "80")
         if port != str(self.port):
             return False
         return name.lower() in self._names or (self.host in _ANY and _address(name.strip("[]")) is not None)
+
+    def is_outer(self, header: str) -> bool:
+        """Whether a Host header is that of the origin which a proxy has."""
+        if self.origin is None:
+            return False
+        scheme, _, host = self.origin.partition("://")
+        return header.lower() in (host, f"{host}:{_PORTS[scheme]}")
+
+    def own(self, origin: str, header: str) -> bool:
+        """Whether an Origin header is that of this server's page, beside a known Host header."""
+        if self.origin is not None and origin.lower() == self.origin:
+            return True
+        return not self.is_outer(header) and origin.lower() == f"http://{header.lower()}"
 
     @property
     def _names(self) -> set[str]:

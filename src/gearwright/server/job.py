@@ -19,10 +19,23 @@ class Job:
 
     number, source, request   as the worker gets them
     seconds                   how long it may run
+    first                     whether it goes before those that are not
+    less                      what to ask for where it takes too long
     """
 
-    def __init__(self, number: int, source: str, request: Any, seconds: float, cancel: Callable[[Job], None]):
-        self.number, self.source, self.request, self.seconds = number, source, request, seconds
+    def __init__(
+        self,
+        number: int,
+        source: str,
+        request: Any,
+        cancel: Callable[[Job], None],
+        *,
+        seconds: float,
+        first: bool,
+        less: str,
+    ):
+        self.number, self.source, self.request = number, source, request
+        self.seconds, self.first, self.less = seconds, first, less
         self.ended = asyncio.Event()
         self.cancelled = False
         self._cancel = cancel

@@ -137,7 +137,7 @@ class _Connection:
         number, begun = asked["id"], time.monotonic()
         try:
             source, request = self._wrap(asked)
-            self._job = self._pool.submit(source, request, seconds=self._limits.seconds)
+            self._job = self._pool.submit(source, request, seconds=self._limits.seconds, first=True)
             ended = False
             async for answer in self._job:
                 if self._job.cancelled:

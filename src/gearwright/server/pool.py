@@ -19,6 +19,14 @@ takes on a busy machine, since another worker takes about as long to start."""
 MEMORY = 6 << 30
 """Bytes of address space that a worker may take."""
 
+PATIENCE = 2.0
+"""Seconds that a job waits before those who asked are told so."""
+
+WAITING = {"answer": "stage", "text": "waiting for a free worker"}
+
+LESS = "fewer teeth or a simpler section"
+"""What makes any job shorter."""
+
 _AGAIN = 1.0  # seconds until a worker that could not be started is tried again
 
 GONE = "The worker that did this was lost: it crashed, or the system ended it, as when memory runs out."
@@ -36,20 +44,26 @@ class Numbers:
 
 @final
 class Pool:
-    """So many workers, and spare ones that step in for those lost. Jobs are begun in the order they came."""
+    """So many workers, and spare ones that step in for those lost.
+
+    Jobs are begun in the order they came, those that go first before the others. kept   workers that only those have
+    """
 
     def __init__(
         self,
         size: int,
         *,
         spares: int = 0,
+        kept: int = 0,
         memory: int = MEMORY,
         most_waiting: int = 256,
         grace: float = GRACE,
+        patience: float = PATIENCE,
         warm: str | None = "gearwright.server.warming:warm",
     ):
         self._size, self._spares, self._most_waiting, self._grace = size, spares, most_waiting, grace
-        self._memory, self._warm = memory, warm
+        self._memory, self._warm, self._patience = memory, warm, patience
+        self._most_others = max(1, size - kept)
         self._processes: list[Process] = []
         self._running: dict[Process, Job] = {}
         self._waiting: deque[Job] = deque()
@@ -71,19 +85,23 @@ class Pool:
         for _ in range(self._size):
             self._start_one()
 
-    def submit(self, source: str, request: Any, *, seconds: float) -> Job:
+    def submit(self, source: str, request: Any, *, seconds: float, first: bool = False, less: str = LESS) -> Job:
         """A job for the next free worker.
 
         source    of a generator function of the request
         seconds   after which its worker is killed
+        first     whether somebody looks at what it answers, so that it goes before others
+        less      what to ask for where it takes too long
 
-        Raises BusyError where too many wait.
+        Raises BusyError where too many of its kind wait.
         """
-        if self._closed or len(self._waiting) >= self._most_waiting:
+        if self._closed or sum(one.first == first for one in self._waiting) >= self._most_waiting:
             raise BusyError("The server is busy; try again in a few seconds.")
-        job = Job(next(self._numbers), source, request, seconds, self._cancel)
+        job = Job(next(self._numbers), source, request, self._cancel, seconds=seconds, first=first, less=less)
         self._waiting.append(job)
         self._dispatch()
+        if job in self._waiting:
+            self._tell_later(job)
         return job
 
     async def close(self) -> None:
@@ -130,12 +148,30 @@ class Pool:
     def _dispatch(self) -> None:
         """Gives waiting jobs to free workers, never more than there are to be busy."""
         free = [one for one in self._processes if one.ready and one not in self._running]
-        while self._waiting and free and len(self._running) < self._size:
-            job, process = self._waiting.popleft(), free.pop(0)
+        while free and len(self._running) < self._size and (job := self._next()) is not None:
+            process = free.pop(0)
+            self._waiting.remove(job)
+            self._forget_timers(job)
             self._running[process] = job
             loop = asyncio.get_running_loop()
             self._timers[job] = [loop.call_later(job.seconds, self._too_long, process, job)]
             process.send((job.number, job.source, job.request))
+
+    def _next(self) -> Job | None:
+        """The job that waits for the next free worker; None where that is kept for such as go first."""
+        others = sum(not job.first for job in self._running.values())
+        fitting = (job for job in self._waiting if job.first)
+        return next(fitting, self._waiting[0] if self._waiting and others < self._most_others else None)
+
+    def _tell_later(self, job: Job) -> None:
+        loop = asyncio.get_running_loop()
+        self._timers[job] = [loop.call_later(self._patience, self._tell_waiting, job)]
+
+    def _tell_waiting(self, job: Job) -> None:
+        if any(one.ready for one in self._processes):
+            job.put(WAITING)
+        else:
+            self._tell_later(job)  # workers start, and say themselves where that takes long
 
     def _arrived(self, process: Process, number: int | None, word: str, value: Any) -> None:
         """What a worker has sent."""
@@ -203,15 +239,14 @@ class Pool:
 
     def _too_long(self, process: Process, job: Job) -> None:
         if self._running.get(process) is job:
-            text = (
-                f"This took longer than {job.seconds:g} s and was stopped; ask for less, such as a coarser tolerance."
-            )
+            text = f"This took longer than {job.seconds:g} s and was stopped; ask for less, such as {job.less}."
             job.end(JobFailedError(text, lost=True))
             self._replace(process)
 
     def _cancel(self, job: Job) -> None:
         if job in self._waiting:
             self._waiting.remove(job)
+            self._forget_timers(job)
             job.end(JobCancelledError("cancelled"))
             return
         for process, running in self._running.items():

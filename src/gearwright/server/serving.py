@@ -11,7 +11,8 @@ import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import partial
+from typing import Any, cast
 
 import uvicorn
 from starlette.websockets import WebSocket
@@ -19,6 +20,7 @@ from starlette.websockets import WebSocket
 from ..errors import MachineError, Problem, ProblemsError
 from .app import Settings, application
 from .hosts import Names, is_loopback
+from .protocol import EACH, LimitedProtocol
 from .reading import JSON_BYTES
 
 _TRIES = 50
@@ -37,11 +39,19 @@ class Bound:
     @property
     def address(self) -> str:
         """To be opened in a browser."""
-        return f"http://{self.names.shown}/" + (f"?token={self.token}" if self.token else "")
+        return f"{self.names.origin or f'http://{self.names.shown}'}/" + (f"?token={self.token}" if self.token else "")
+
+    @property
+    def each(self) -> int | None:
+        """Connections that an address may have: any number, where only this machine has any, or a proxy has all."""
+        return None if is_loopback(self.names.host) or self.names.origin is not None else EACH
 
 
-def bound(host: str, port: int, *, or_next: bool) -> Bound:
-    """A socket at a host and a port, 0 for any free one. or_next   take the next free one where it is taken
+def bound(host: str, port: int, *, or_next: bool, origin: str | None = None) -> Bound:
+    """A socket at a host and a port, 0 for any free one.
+
+    or_next   take the next free one where it is taken
+    origin    that browsers reach it by through a proxy, which lets in others than this machine
 
     Raises ProblemsError where it cannot be had.
     """
@@ -52,8 +62,8 @@ def bound(host: str, port: int, *, or_next: bool) -> Bound:
             if error.errno == errno.EADDRINUSE and or_next:
                 continue
             raise ProblemsError("The server cannot start", [_problem(error, host, offered)]) from None
-        token = None if is_loopback(host) else secrets.token_urlsafe(24)
-        names = Names(host=host, port=listener.getsockname()[1])
+        token = None if is_loopback(host) and origin is None else secrets.token_urlsafe(24)
+        names = Names(host=host, port=listener.getsockname()[1], origin=origin)
         return Bound(listener=listener, names=names, token=token, moved=offered != port)
     words = f"this and the next {_TRIES} ports are taken; name another one by --port"
     raise ProblemsError("The server cannot start", [Problem(f"--port {port}", words)])
@@ -88,7 +98,9 @@ def serve(at: Bound, ready: Callable[[], None]) -> None:
 
     Raises MachineError where it cannot start.
     """
-    server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token), ready)
+    server = server_of(
+        Settings(host=at.names.host, port=at.names.port, token=at.token, origin=at.names.origin, each=at.each), ready
+    )
     with _quiet_signals():
         server.run(sockets=[at.listener])
     if not server.started:
@@ -101,6 +113,7 @@ def server_of(settings: Settings, ready: Callable[[], None]) -> uvicorn.Server:
     config = uvicorn.Config(
         application(replace(settings, abort=lambda websocket: _abort(holder[0], websocket))),
         lifespan="on",
+        http=cast("Any", partial(LimitedProtocol, head=settings.head, each=settings.each)),
         ws="websockets-sansio",
         ws_max_size=JSON_BYTES,
         ws_per_message_deflate=False,

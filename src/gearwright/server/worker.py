@@ -8,6 +8,7 @@ import signal
 import sys
 import threading
 import traceback
+import warnings
 from collections.abc import Iterator
 from contextlib import suppress
 from multiprocessing.connection import Connection
@@ -19,7 +20,10 @@ from ..sources import load
 from .refusals import refused
 
 COMPILING = {"answer": "stage", "text": "compiling for this machine, once"}
-OUT_OF_MEMORY = "There is not enough memory for this. A coarser tolerance, or fewer and larger teeth, need less."
+OUT_OF_MEMORY = (
+    "There is not enough memory for this. Fewer teeth or a simpler section need less, and so do files of a coarser "
+    "tolerance."
+)
 
 Answer = bytes | dict[str, Any]
 
@@ -32,6 +36,8 @@ def main(connection: Connection, memory: int, warm: str | None) -> None:
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's, which ends its workers
     _end_with_parent()
+    if not _debugging():
+        warnings.simplefilter("ignore")  # they name lines of the source, on a terminal where nobody can tell of what
     _bound(memory)
     waiting: queue.SimpleQueue[tuple[int, str, Any]] = queue.SimpleQueue()
     cancelled: set[int] = set()
@@ -102,8 +108,12 @@ def _send(connection: Connection, number: int | None, word: str, value: object) 
 
 
 def _trace(error: BaseException) -> None:
-    if os.environ.get("GEARWRIGHT_DEBUG") == "1":
+    if _debugging():
         traceback.print_exception(error)
+
+
+def _debugging() -> bool:
+    return os.environ.get("GEARWRIGHT_DEBUG") == "1"
 
 
 def _end_with_parent() -> None:
