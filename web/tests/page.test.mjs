@@ -264,7 +264,7 @@ test("the last design is open again where the address names none", async (t) => 
   assert.equal(await hashOf(page), "#spur?teeth=31&module=2&face_width=19");
   await page.getByText("Your last design is open again").waitFor();
   await page.getByRole("button", { name: "Undo" }).click();
-  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20");
+  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20&~material=steel");
 });
 
 test("what does not apply is hidden, left out and remembered", async (t) => {
@@ -338,7 +338,7 @@ test("a design file is opened; one that is none is told", async (t) => {
   server.read = (toml) => [{ design: { element: "spur", teeth: 12, module: 4, face_width: 8 } }, toml === "good" ? 200 : 422];
   const give = (content) => page.getByLabel("Design file", { exact: true }).setInputFiles({ name: "gear.toml", mimeType: "text/plain", buffer: Buffer.from(content) });
   await give("good");
-  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8&~material=steel");
   const dropped = await page.evaluateHandle(() => {
     const data = new DataTransfer();
     data.items.add(new File(["dropped"], "other.toml"));
@@ -346,11 +346,46 @@ test("a design file is opened; one that is none is told", async (t) => {
   });
   server.read = (toml) => [{ design: { element: "spur", teeth: 13, module: 4, face_width: 8 } }, toml === "dropped" ? 200 : 422];
   await page.dispatchEvent("main", "drop", { dataTransfer: dropped });
-  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8&~material=steel");
   server.read = () => [{ headline: "line 1: this is no TOML", problems: [] }, 422];
   await give("bad");
   await page.getByText("line 1: this is no TOML").waitFor();
-  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8");
+  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8&~material=steel");
+});
+
+test("points that are none are shown as an empty field, by which the server's words stand", async (t) => {
+  const refuse = (socket, { id }) => socket.send(JSON.stringify({
+    answer: "refused", id, headline: "This cannot be built", problems: [{ parameter: "section", member: null, subject: "section", message: "points are needed" }] }));
+  const { page, server } = await opened(t, { hash: "#sweep?section={\"polygon\":[1,2,3]}&length=30", answers: refuse });
+  const rows = field(page, "section").locator("textarea").first();
+  for (const polygon of ["[1,2,3]", '[["a","b"],["c","d"],[1,2]]', "[[0,0],[1,0],null]"]) {
+    await page.evaluate((hash) => { location.hash = hash; }, `#sweep?section={"polygon":${polygon}}&length=31`);
+    await until(page, () => document.querySelector('[data-parameter="length"] input').value === "31");
+    assert.equal(await rows.inputValue(), "");
+    await until(page, () => document.querySelector('[data-parameter="section"] .problem')?.textContent.includes("points are needed"));
+    assert.deepEqual(server.asks.at(-1).design.section.polygon, JSON.parse(polygon));
+    await page.evaluate(() => { location.hash = '#sweep?section={"polygon":[[0,0],[1,0],[0,1]]}&length=30'; });
+    await until(page, () => document.querySelector('[data-parameter="length"] input').value === "30");
+    assert.equal(await rows.inputValue(), "0, 0\n1, 0\n0, 1");
+  }
+});
+
+test("a design that cannot be shown is told and not kept: the example, or the one before it, stays", async (t) => {
+  const broken = { ...ELEMENTS.kinds[0], name: "broken", command: "broken", start: { element: "broken" }, parameters: [{ name: "odd" }] };
+  const { page } = await opened(t, { elements: { ...ELEMENTS, kinds: [...ELEMENTS.kinds, broken] } });
+  await page.evaluate(() => localStorage.setItem("gearwright.design", "#broken?odd=1"));
+  await page.reload(); // the address is still the example's
+  await page.goto("about:blank");
+  await page.goto(ORIGIN);
+  await page.waitForSelector("html[data-ready]");
+  await page.getByText(/broken cannot be shown/).waitFor();
+  assert.equal(await page.getByLabel("Element").inputValue(), "spur pair");
+  assert.match(await page.evaluate(() => localStorage.getItem("gearwright.design")), /^#spur/);
+  await text(page, "face_width").fill("21");
+  await page.getByLabel("Element").selectOption("broken");
+  assert.equal(await page.getByLabel("Element").inputValue(), "spur pair");
+  assert.equal(await text(page, "face_width").inputValue(), "21");
+  assert.match(await hashOf(page), /^#spur.*face_width=21/);
 });
 
 test("what it is made of and about which point", async (t) => {

@@ -6,6 +6,7 @@ import { Address } from "./address";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
 import { copying } from "./copying";
+import { beginning } from "./beginning";
 import { unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
@@ -38,7 +39,7 @@ export class Designer {
   private kind: Kind;
   private form: DesignForm;
   private readonly seen = new Map<string, Design>(); // the last design of each kind
-  private readonly history: History<State>;
+  private history: History<State>;
   private readonly announcer = new Announcer();
   private readonly sheet = new Sheet();
   private readonly header: Header;
@@ -60,10 +61,11 @@ export class Designer {
   ) {
     const first = elements.kinds.find((kind) => kind.command === "spur" && kind.members === 2) ?? elements.kinds[0]!;
     this.steel = materials.some((one) => one.name === STEEL) ? STEEL : null;
-    const { state, note } = this.begin(first);
-    this.state = state;
-    this.kind = kindOf(elements.kinds, state.design) ?? first;
-    this.history = new History(hashOf, kept(note ? this.example(first) : state));
+    const example = this.example(first);
+    const { state, again, note } = beginning(elements.kinds, location.hash, recalled(KEY), example);
+    this.state = example;
+    this.kind = first;
+    this.history = new History(hashOf, kept(again ? example : state));
     this.history.settle(kept(state));
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
@@ -106,25 +108,16 @@ export class Designer {
     window.addEventListener("beforeprint", () => this.print());
     document.addEventListener("change", () => this.settleSoon());
     if (note) this.announcer.note(note);
-    this.show();
+    if (!this.shows(state)) {
+      this.history = new History(hashOf, kept(example));
+      if (again) this.settle(); // what cannot be shown is not kept for the next time either
+    }
     this.publish("replace");
   }
 
   // With a mass, since that is what many come for.
   private example(kind: Kind): State {
     return { ...plain({ ...kind.start }), material: this.steel };
-  }
-
-  // The design of the address, the last one, or an example.
-  private begin(first: Kind): { state: State; note: string } {
-    const known = (state: State | null) => (state && kindOf(this.elements.kinds, state.design) ? state : null);
-    const named = known(stateOf(location.hash));
-    if (named) return { state: named, note: "" };
-    const note = location.hash.length > 1 ? "The address holds no design that is known here." : "";
-    const last = known(stateOf(recalled(KEY) ?? ""));
-    if (last) return { state: last, note: note || "Your last design is open again; Undo leads to the example." };
-    if (note) this.announcer.note(note);
-    return { state: this.example(first), note: "" };
   }
 
   private formOf(kind: Kind): DesignForm {
@@ -165,11 +158,27 @@ export class Designer {
     this.settle();
   }
 
-  // Shows a state that did not come from the form.
-  private go(state: State, how: "replace" | "push" = "replace"): void {
-    this.state = state;
-    this.show();
+  // Shows a state that did not come from the form. Gives whether that was possible.
+  private go(state: State, how: "replace" | "push" = "replace"): boolean {
+    const shown = this.shows(state);
     this.publish(how);
+    return shown;
+  }
+
+  // A state that cannot be shown is told, and the one before it stays.
+  private shows(state: State): boolean {
+    const before = this.state;
+    this.state = state;
+    try {
+      this.show();
+      return true;
+    } catch (error) {
+      console.error(error);
+      this.state = before;
+      this.show();
+      this.announcer.note(`This design of the element ${state.design.element} cannot be shown, so the one before it stays.`);
+      return false;
+    }
   }
 
   private show(): void {
@@ -244,9 +253,9 @@ export class Designer {
       const design = await this.api.read(await file.text());
       if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
       this.settle();
-      this.go({ ...this.state, design });
+      const shown = this.go({ ...this.state, design });
       this.settle();
-      this.announcer.note(`${file.name} is open.`);
+      if (shown) this.announcer.note(`${file.name} is open.`);
     } catch (error) {
       this.announcer.note(error instanceof ApiError ? error.message : `${file.name} could not be read`, 20_000);
     }
