@@ -544,6 +544,93 @@ test("on paper there is a data sheet", async (t) => {
   await page.emulateMedia({ media: "screen" });
 });
 
+// Model and values of a width's volume; the values so many milliseconds late.
+const byWidth = (late) => (socket, { id, design }) => {
+  socket.send(frame(id, `spur gear: width ${design.face_width}`));
+  setTimeout(() => {
+    socket.send(JSON.stringify(values(id, 1000 * design.face_width)));
+    socket.send(JSON.stringify({ answer: "done", id, seconds: 0 }));
+  }, late);
+};
+const printed = async (page) => {
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  const sheet = page.locator(".sheet");
+  const row = (await sheet.locator("tr").allTextContents()).find((one) => one.startsWith("Face width"));
+  return { title: await sheet.locator("h1").textContent(), width: row, note: await sheet.locator(".sheet-note").allTextContents(), images: await sheet.locator("img").count() };
+};
+
+test("a sheet is of one design: that of its tables, which it says where it is not the form's", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  assert.deepEqual(await printed(page), { title: "Spur gear: width 16", width: "Face width b16mm", note: [], images: 1 });
+  server.answers = byWidth(1500); // the new model is there before its values
+  await text(page, "face_width").fill("19");
+  await until(page, () => document.querySelector(".mv-title").textContent.endsWith("19"));
+  const early = await printed(page);
+  assert.deepEqual([early.title, early.width, early.images], ["Spur gear: width 16", "Face width b16mm", 0]);
+  assert.match(early.note[0], /the last design that was built/);
+  await until(page, () => document.querySelector(".strip").textContent.includes("19 000"));
+  assert.deepEqual(await printed(page), { title: "Spur gear: width 19", width: "Face width b19mm", note: [], images: 1 });
+  await text(page, "face_width").fill("-3x");
+  assert.deepEqual([(await printed(page)).width, (await printed(page)).images, (await printed(page)).note.length], ["Face width b19mm", 1, 1]);
+});
+
+test("results of an earlier design are marked until those of the form's are there, and are not copied", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  const old = () => page.evaluate(() => [...document.querySelectorAll("[data-old]")].map((one) => one.className));
+  const copy = async () => {
+    await page.getByRole("tab", { name: "Files" }).click();
+    await page.getByRole("button", { name: "Copy TOML" }).click();
+    return page.locator(".copies [role=status]").textContent();
+  };
+  assert.deepEqual(await old(), []);
+  server.answers = (socket, { id }) => socket.send(JSON.stringify({ answer: "refused", id, headline: "no", problems: [] }));
+  await text(page, "face_width").fill("-3");
+  await until(page, () => document.querySelector(".strip[data-old]"));
+  assert.deepEqual(await old(), ["strip", "scrolls", "scrolls"]);
+  assert.match(await copy(), /^Not copied/);
+  server.answers = byWidth(1200);
+  await text(page, "face_width").fill("20");
+  await until(page, () => document.querySelector(".mv-title").textContent.endsWith("20"));
+  assert.deepEqual((await old()).length, 3, "the model is new, the values are not");
+  await until(page, () => document.querySelector(".strip").textContent.includes("20 000"));
+  assert.deepEqual(await old(), []);
+  assert.match(await copy(), /^(Copied|The browser)/);
+  await page.getByRole("tab", { name: "Mass & inertia" }).click();
+  await page.getByLabel("Material").selectOption("steel");
+  await until(page, () => document.querySelector("[data-panel=mass] [data-old]"));
+  await until(page, () => !document.querySelector("[data-old]"));
+});
+
+test("the badge of an old model outlasts a late answer, and stands while the server is away", async (t) => {
+  const open = [];
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  server.answers = (socket, ask) => open.push([socket, ask]);
+  await text(page, "face_width").fill("18");
+  await page.waitForTimeout(80);
+  await text(page, "face_width").fill("18x");
+  byWidth(0)(...open[0]);
+  await until(page, () => document.querySelector(".strip").textContent.includes("18 000"));
+  assert.ok(await page.locator(".about-view .old").isVisible());
+  server.answers = byWidth(0);
+  await text(page, "face_width").fill("18");
+  await until(page, () => document.querySelector(".pane").dataset.state === "new" && !document.querySelector("[data-old]"));
+  await server.sockets[0].close({ code: 1012 });
+  await until(page, () => /trying again/.test(document.querySelector(".link").textContent));
+  assert.ok(!(await page.locator(".about-view .old").isVisible()));
+  server.answers = () => {};
+  await text(page, "face_width").fill("17");
+  await until(page, () => /server has answered/.test(document.querySelector(".about-view .old:not([hidden])")?.textContent));
+  assert.ok(await page.locator(".strip[data-old]").isVisible());
+  server.answers = byWidth(0);
+  await server.sockets.at(-1).close({ code: 1012 });
+  await until(page, () => document.querySelector(".strip").textContent.includes("17 000"));
+  assert.ok(!(await page.locator(".about-view .old").isVisible()));
+  assert.equal(await page.locator("[data-old]").count(), 0);
+});
+
 test("without a server the page says so, and tries again", async (t) => {
   const page = await browser.newPage();
   t.after(() => page.close());

@@ -11,12 +11,17 @@ import type { Theme } from "./theme";
 export class Comparing {
   private pane: Pane | null = null;
   private readonly table = new Comparison();
+  readonly element = element("div", {}, this.table.element);
   private a: ValuesAnswer | null = null;
   private b: ValuesAnswer | null = null;
   private shown: LengthUnit = "mm";
   private look: Theme = "light";
 
   constructor(private readonly views: HTMLElement, private readonly tabs: Tabs, private readonly note: (text: string) => void) {}
+
+  get results(): HTMLElement {
+    return this.table.element;
+  }
 
   get on(): boolean {
     return this.pane !== null;
@@ -45,7 +50,7 @@ export class Comparing {
     this.pane.theme(this.look);
     this.pane.unit(unit);
     this.pane.ask({ design, density, material, about });
-    this.tabs.add("compared", "Compared", this.table.element);
+    this.tabs.add("compared", "Compared", this.element);
     this.tabs.choose("compared", true);
     this.refresh();
   }

@@ -14,7 +14,8 @@ const KINDS: Record<Kind, [title: string, said: string]> = {
   text: ["Table", "the values as a table"],
 };
 
-export function copying(host: HTMLElement) {
+// current: whether the values are of the design as it is typed
+export function copying(host: HTMLElement, current: () => boolean = () => true) {
   let values: ValuesAnswer | null = null;
   const said = element("p", { class: "hint", role: "status" });
   const shown = element("pre", { tabindex: "0", "aria-label": "What was copied" });
@@ -28,6 +29,11 @@ export function copying(host: HTMLElement) {
 
   async function copy(kind: Kind): Promise<void> {
     if (!values) return;
+    if (!current()) {
+      said.textContent = "Not copied: what is typed is not built yet, or cannot be.";
+      shown.hidden = true;
+      return;
+    }
     const text = textOf(kind, values);
     said.textContent = "";
     const done = await copied(text);

@@ -3,14 +3,16 @@
 import { partsOf, summary } from "./amounts";
 import { Announcer } from "./announcer";
 import { Address } from "./address";
+import { Ageing } from "./ageing";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
+import type { Link, Wish } from "./connection";
 import { copying } from "./copying";
 import { beginning } from "./beginning";
 import { unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
-import { hashOf, plain, type State, stateOf } from "./hash";
+import { hashOf, plain, sameWish, type State, stateOf } from "./hash";
 import { Header } from "./header";
 import { History } from "./history";
 import { kindOf, startOf } from "./kinds";
@@ -29,6 +31,8 @@ import { Weighing } from "./weighing";
 
 const KEY = "gearwright.design";
 const STEEL = "steel";
+const EARLIER = "This sheet is of the last design that was built. What has been typed since is not on it.";
+const UNBUILT = "This design has not been built: there are no values of it.";
 const SETTLED = 600; // ms without a change
 
 // What can be come back to: how it is displayed is no part of that.
@@ -52,7 +56,9 @@ export class Designer {
   private readonly plots: ReturnType<typeof plots>;
   private readonly outputs: ReturnType<typeof outputs>;
   private readonly copying: ReturnType<typeof copying>;
+  private readonly ageing: Ageing;
   private readonly address = new Address();
+  private lost = false; // the server does not answer
   private settling = 0;
   private readonly steel: string | null;
 
@@ -83,19 +89,24 @@ export class Designer {
       [this.announcer.spoken, this.announcer.toasts, this.sheet.element]);
     this.pane = new Pane("Model", {
       values: (values, approximation) => this.take(values, approximation),
-      built: () => this.form.refuse("", []),
+      built: () => {
+        this.form.refuse("", []);
+        this.mark();
+      },
       refused: (headline, problems) => {
         this.form.refuse(headline, problems);
+        this.mark();
         this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
       },
-      link: (link) => this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]),
+      link: (link) => this.linked(link),
       note: (text) => this.announcer.note(text),
     });
     this.parts.views.append(this.pane.element);
     this.comparing = new Comparing(this.parts.views, this.tabs, (text) => this.announcer.note(text));
     this.tables = tables({ sizes, mass });
     this.plots = plots(plot, api);
-    this.copying = copying(copies);
+    this.copying = copying(copies, () => this.current);
+    this.ageing = new Ageing([...sizes.children, ...mass.children, this.comparing.results] as HTMLElement[], this.parts.strip);
     this.outputs = outputs(files, api);
     this.form = this.formOf(this.kind);
     themes.follow((theme) => {
@@ -131,12 +142,13 @@ export class Designer {
   // What somebody does in the form. null: a field holds no value
   private edited(design: Design | null): void {
     if (!design) {
-      this.pane.stale();
+      this.mark();
       this.announcer.say(this.form.broken.join(". "));
       return;
     }
     if (hashOf({ ...this.state, design }) === hashOf(this.state)) {
       if (this.pane.element.dataset.state === "old") this.ask();
+      this.mark();
       return;
     }
     this.change({ design });
@@ -214,8 +226,34 @@ export class Designer {
   }
 
   private ask(): void {
+    this.pane.ask(this.wish);
+    this.mark();
+  }
+
+  private get wish(): Wish {
     const { design, density, material, about } = this.state;
-    this.pane.ask({ design, density, material, about });
+    return { design, density, material, about };
+  }
+
+  // Whether the values that are known are of the form as it stands.
+  private get current(): boolean {
+    const { valued } = this.pane;
+    return valued !== null && this.form.broken.length === 0 && sameWish(valued, this.wish);
+  }
+
+  // What is shown of an earlier design than the form's says so.
+  private mark(): void {
+    const { drawn } = this.pane;
+    if (this.form.broken.length) this.pane.stale();
+    else if (this.lost && !(drawn && sameWish(drawn, this.wish))) this.pane.stale("lost");
+    this.ageing.mark(this.pane.values !== null && !this.current, this.pane.element.dataset.state === "old");
+  }
+
+  private linked(link: Link): void {
+    this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]);
+    if (link === "connecting") return;
+    this.lost = link === "lost";
+    this.mark();
   }
 
   private get unit(): LengthUnit {
@@ -229,6 +267,8 @@ export class Designer {
   private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
     this.tables.show(values, approximation, this.unit, this.state.about);
     this.comparing.show(values);
+    this.ageing.came();
+    this.mark();
     if (approximation) return;
     this.copying.show(values);
     this.tell();
@@ -300,6 +340,10 @@ export class Designer {
   }
 
   private print(): void {
-    this.sheet.show(this.kind, this.state.design, this.pane.title, this.pane.picture());
+    const { valued, drawn, valuedTitle } = this.pane;
+    const note = this.current ? "" : valued ? EARLIER : UNBUILT;
+    const of = valued ?? this.wish;
+    const picture = drawn && sameWish(drawn, of) ? this.pane.picture() : null;
+    this.sheet.show(kindOf(this.elements.kinds, of.design) ?? this.kind, of.design, valued ? valuedTitle : "", picture, note);
   }
 }
