@@ -353,6 +353,41 @@ test("a design file is opened; one that is none is told", async (t) => {
   assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8&~material=steel");
 });
 
+test("an upload that arrives once its field is gone, or holds something else, is dropped", async (t) => {
+  const { page } = await opened(t, { hash: "#sweep?section=plate.dxf&length=30" });
+  let release;
+  await page.route(`${ORIGIN}/api/uploads*`, async (route) => {
+    await new Promise((go) => { release = go; });
+    await route.fulfill({ status: 201, contentType: "application/json", body: '{"value":"upload:1f/late.dxf","name":"late.dxf","bytes":1}' }).catch(() => {});
+  });
+  const send = async () => {
+    release = null;
+    await page.getByLabel("section, file").or(field(page, "section").locator('input[type="file"]')).first().setInputFiles({ name: "late.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("0") });
+    for (let i = 0; i < 50 && !release; i++) await page.waitForTimeout(20);
+  };
+  await send();
+  await page.getByLabel("Element").selectOption("spur gear");
+  release();
+  await page.waitForTimeout(150);
+  assert.match(await hashOf(page), /^#spur/);
+  assert.ok(await field(page, "teeth").isVisible());
+  await page.goBack();
+  await until(page, () => location.hash.startsWith("#sweep"));
+  await send();
+  await field(page, "section").locator("select").first().selectOption({ label: "circle" });
+  release();
+  await page.waitForTimeout(150);
+  assert.doesNotMatch(await hashOf(page), /late/);
+  await page.evaluate(() => { location.hash = "#sweep?section=plate.dxf&length=30"; });
+  await until(page, () => document.querySelector('[data-parameter="section"] input[type="file"]'));
+  await send();
+  await page.evaluate(() => { location.hash = "#sweep?section=other.dxf&length=30"; });
+  await until(page, () => document.querySelector('[data-parameter="section"] .reading')?.textContent === "other.dxf");
+  release();
+  await page.waitForTimeout(150);
+  assert.match(await hashOf(page), /section=other.dxf/);
+});
+
 test("points that are none are shown as an empty field, by which the server's words stand", async (t) => {
   const refuse = (socket, { id }) => socket.send(JSON.stringify({
     answer: "refused", id, headline: "This cannot be built", problems: [{ parameter: "section", member: null, subject: "section", message: "points are needed" }] }));

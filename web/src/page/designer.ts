@@ -132,7 +132,9 @@ export class Designer {
   }
 
   private formOf(kind: Kind): DesignForm {
-    const form = new DesignForm(kind, this.api, (design) => this.edited(design));
+    const form = new DesignForm(kind, this.api, (design) => {
+      if (form === this.form) this.edited(design); // one that was taken away tells nothing
+    });
     this.parts.form.replaceChildren(form.element);
     this.plots.kind(kind);
     this.outputs.kind(kind);
