@@ -1,8 +1,12 @@
 // The designer page in a browser, with a server that says what a test wants: see designer_server.mjs.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { launched } from "./browser.mjs";
 import { ELEMENTS, frame, ORIGIN, prompt, served, values } from "./designer_server.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
 let browser;
 before(async () => {
@@ -459,6 +463,37 @@ test("a pinned design stays as it was, beside the one that changes", async (t) =
   await page.getByRole("button", { name: "Leave the comparison" }).click();
   assert.equal(await page.locator(".pane").count(), 1);
   assert.equal(await page.getByRole("tab", { name: "Compared" }).count(), 0);
+});
+
+test("a design that cannot be built is not pinned, but the last one that was", async (t) => {
+  const none = (socket, { id }) => socket.send(JSON.stringify({ answer: "refused", id, headline: "no", problems: [] }));
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=-1", answers: none });
+  await until(page, () => document.querySelector(".pane").dataset.state === "old");
+  const compare = page.getByRole("button", { name: "Keep this design" });
+  await compare.click();
+  await page.getByText("There is nothing to compare with yet").waitFor();
+  assert.equal(await page.locator(".pane").count(), 1);
+  server.answers = byWidth(0);
+  await text(page, "face_width").fill("16");
+  await until(page, () => document.querySelector(".strip").textContent.includes("16\u202f000"));
+  server.answers = (socket, ask) => (ask.design.face_width === 16 ? byWidth(0) : none)(socket, ask);
+  await text(page, "face_width").fill("-3");
+  await until(page, () => document.querySelector(".pane").dataset.state === "old");
+  await compare.click();
+  await page.getByText("B is the last design that was built").waitFor();
+  await until(page, () => document.querySelectorAll(".comparison td").length > 0);
+  assert.equal(server.asks.at(-1).design.face_width, 16);
+});
+
+test("landmarks have names of their own, headings their order", async (t) => {
+  const { page } = await opened(t);
+  await until(page, () => document.querySelector(".strip").textContent);
+  await page.evaluate(readFileSync(AXE, "utf8"));
+  for (const tab of ["Sizes", "Files"]) {
+    await page.getByRole("tab", { name: tab }).click();
+    const { violations } = await page.evaluate(() => window.axe.run({ runOnly: ["landmark-unique", "heading-order", "region", "page-has-heading-one"] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join()}`), []);
+  }
 });
 
 test("a note of the server is read out", async (t) => {

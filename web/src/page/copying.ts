@@ -21,7 +21,7 @@ export function copying(host: HTMLElement, current: () => boolean = () => true) 
   const shown = element("pre", { tabindex: "0", "aria-label": "What was copied" });
   const buttons = (Object.keys(KINDS) as Kind[]).map((kind) =>
     button(KINDS[kind][0], () => void copy(kind), `Copy ${KINDS[kind][1]}`));
-  const made = element("section", { class: "copies", "aria-label": "Copy" }, element("h3", {}, "Copy"),
+  const made = element("section", { class: "copies", "aria-label": "Copy" }, element("h2", {}, "Copy"),
     element("p", { class: "hint" }, "The design as a file, code or a command; its values to the last digit for a spreadsheet or a program."),
     element("div", { class: "buttons" }, ...buttons), said, shown);
   made.hidden = shown.hidden = true;

@@ -255,6 +255,7 @@ export class Designer {
     this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]);
     if (link === "connecting") return;
     this.lost = link === "lost";
+    if (link === "open") this.plots?.again();
     this.mark();
   }
 
@@ -286,8 +287,20 @@ export class Designer {
 
   private compare(): void {
     if (this.comparing.on) this.comparing.leave();
-    else this.comparing.pin(this.state, this.pane.values, this.unit);
+    else this.pin();
     this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
+  }
+
+  // What can be compared is what can be built: where the form's design cannot, the last one that was.
+  private pin(): void {
+    const { values, valued, element: { dataset } } = this.pane;
+    const broken = this.form.broken.length > 0 || dataset.state === "old";
+    if (broken && !valued) {
+      this.announcer.note("There is nothing to compare with yet: the design cannot be built as it is.");
+      return;
+    }
+    if (broken) this.announcer.note("B is the last design that was built, since what is typed is not.");
+    this.comparing.pin(broken ? valued! : this.wish, values, this.unit);
   }
 
   private async open(file: File): Promise<void> {

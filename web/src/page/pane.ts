@@ -43,7 +43,7 @@ export class Pane {
   constructor(label: string, private readonly watcher: Watcher) {
     this.host = element("div", { class: "view" });
     this.waiting = element("p", { class: "waiting" }, "The model is on its way.");
-    this.element = element("section", { class: "pane", "aria-label": label }, this.host, this.waiting,
+    this.element = element("div", { class: "pane" }, this.host, this.waiting,
       element("div", { class: "about-view" }, this.old, this.stage));
     this.old.hidden = this.stage.hidden = true;
     this.view = new ModelView(this.host, { label });
