@@ -6,13 +6,13 @@ import { Address } from "./address";
 import { Ageing } from "./ageing";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
-import type { Link, Wish } from "./connection";
+import type { Wish } from "./connection";
 import { copying } from "./copying";
 import { beginning } from "./beginning";
 import { unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
-import { hashOf, plain, sameWish, type State, stateOf } from "./hash";
+import { hashOf, plain, type State, stateOf } from "./hash";
 import { Header } from "./header";
 import { History } from "./history";
 import { kindOf, startOf } from "./kinds";
@@ -23,6 +23,7 @@ import { Pane } from "./pane";
 import { plots } from "./plots";
 import type { ApproximationAnswer, Design, Elements, Kind, LengthUnit, Material, ValuesAnswer } from "./protocol";
 import { Sheet } from "./sheet";
+import { Standing } from "./standing";
 import { tables } from "./tables";
 import { Tabs } from "./tabs";
 import { keep, recalled, type Themes } from "./theme";
@@ -31,8 +32,6 @@ import { Weighing } from "./weighing";
 
 const KEY = "gearwright.design";
 const STEEL = "steel";
-const EARLIER = "This sheet is of the last design that was built. What has been typed since is not on it.";
-const UNBUILT = "This design has not been built: there are no values of it.";
 const SETTLED = 600; // ms without a change
 
 // What can be come back to: how it is displayed is no part of that.
@@ -56,9 +55,8 @@ export class Designer {
   private readonly plots: ReturnType<typeof plots>;
   private readonly outputs: ReturnType<typeof outputs>;
   private readonly copying: ReturnType<typeof copying>;
-  private readonly ageing: Ageing;
+  private readonly standing: Standing;
   private readonly address = new Address();
-  private lost = false; // the server does not answer
   private settling = 0;
   private readonly steel: string | null;
 
@@ -91,22 +89,28 @@ export class Designer {
       values: (values, approximation) => this.take(values, approximation),
       built: () => {
         this.form.refuse("", []);
-        this.mark();
+        this.standing.mark();
       },
       refused: (headline, problems) => {
         this.form.refuse(headline, problems);
-        this.mark();
+        this.standing.mark();
         this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
       },
-      link: (link) => this.linked(link),
+      link: (link) => {
+        this.header.linked(link);
+        this.standing?.linked(link);
+        if (link === "open") this.plots?.again();
+      },
       note: (text) => this.announcer.note(text),
     });
     this.parts.views.append(this.pane.element);
     this.comparing = new Comparing(this.parts.views, this.tabs, (text) => this.announcer.note(text));
     this.tables = tables({ sizes, mass });
     this.plots = plots(plot, api);
-    this.copying = copying(copies, () => this.current);
-    this.ageing = new Ageing([...sizes.children, ...mass.children, this.comparing.results] as HTMLElement[], this.parts.strip);
+    this.copying = copying(copies, () => this.standing.current);
+    const tabled = [...sizes.children, ...mass.children, this.comparing.results] as HTMLElement[];
+    this.standing = new Standing(this.pane, new Ageing(tabled, this.parts.strip),
+      () => ({ wish: this.wish, broken: this.form.broken.length > 0 }));
     this.outputs = outputs(files, api);
     this.form = this.formOf(this.kind);
     themes.follow((theme) => {
@@ -144,13 +148,13 @@ export class Designer {
   // What somebody does in the form. null: a field holds no value
   private edited(design: Design | null): void {
     if (!design) {
-      this.mark();
+      this.standing.mark();
       this.announcer.say(this.form.broken.join(". "));
       return;
     }
     if (hashOf({ ...this.state, design }) === hashOf(this.state)) {
       if (this.pane.element.dataset.state === "old") this.ask();
-      this.mark();
+      this.standing.mark();
       return;
     }
     this.change({ design });
@@ -229,34 +233,12 @@ export class Designer {
 
   private ask(): void {
     this.pane.ask(this.wish);
-    this.mark();
+    this.standing.mark();
   }
 
   private get wish(): Wish {
     const { design, density, material, about } = this.state;
     return { design, density, material, about };
-  }
-
-  // Whether the values that are known are of the form as it stands.
-  private get current(): boolean {
-    const { valued } = this.pane;
-    return valued !== null && this.form.broken.length === 0 && sameWish(valued, this.wish);
-  }
-
-  // What is shown of an earlier design than the form's says so.
-  private mark(): void {
-    const { drawn } = this.pane;
-    if (this.form.broken.length) this.pane.stale();
-    else if (this.lost && !(drawn && sameWish(drawn, this.wish))) this.pane.stale("lost");
-    this.ageing.mark(this.pane.values !== null && !this.current, this.pane.element.dataset.state === "old");
-  }
-
-  private linked(link: Link): void {
-    this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]);
-    if (link === "connecting") return;
-    this.lost = link === "lost";
-    if (link === "open") this.plots?.again();
-    this.mark();
   }
 
   private get unit(): LengthUnit {
@@ -270,8 +252,7 @@ export class Designer {
   private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
     this.tables.show(values, approximation, this.unit, this.state.about);
     this.comparing.show(values);
-    this.ageing.came();
-    this.mark();
+    this.standing.came();
     if (approximation) return;
     this.copying.show(values);
     this.tell();
@@ -293,14 +274,11 @@ export class Designer {
 
   // What can be compared is what can be built: where the form's design cannot, the last one that was.
   private pin(): void {
-    const { values, valued, element: { dataset } } = this.pane;
-    const broken = this.form.broken.length > 0 || dataset.state === "old";
-    if (broken && !valued) {
-      this.announcer.note("There is nothing to compare with yet: the design cannot be built as it is.");
-      return;
-    }
-    if (broken) this.announcer.note("B is the last design that was built, since what is typed is not.");
-    this.comparing.pin(broken ? valued! : this.wish, values, this.unit);
+    const { values, valued } = this.pane;
+    const wish = this.standing.unbuilt ? valued : this.wish;
+    if (!wish) return this.announcer.note("There is nothing to compare with yet: the design cannot be built as it is.");
+    if (wish === valued) this.announcer.note("B is the last design that was built, since what is typed is not.");
+    this.comparing.pin(wish, values, this.unit);
   }
 
   private async open(file: File): Promise<void> {
@@ -355,10 +333,6 @@ export class Designer {
   }
 
   private print(): void {
-    const { valued, drawn, valuedTitle } = this.pane;
-    const note = this.current ? "" : valued ? EARLIER : UNBUILT;
-    const of = valued ?? this.wish;
-    const picture = drawn && sameWish(drawn, of) ? this.pane.picture() : null;
-    this.sheet.show(kindOf(this.elements.kinds, of.design) ?? this.kind, of.design, valued ? valuedTitle : "", picture, note);
+    this.standing.print(this.sheet, ({ design }) => kindOf(this.elements.kinds, design) ?? this.kind);
   }
 }
