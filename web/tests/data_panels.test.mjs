@@ -191,6 +191,18 @@ test("a chart that cannot be made says why, in the server's words", async (t) =>
   assert.equal(await page.locator(".chart-wrong").textContent(), "No chart\nteeth = 2: at least 3");
 });
 
+test("a chart that was not had is asked for again once there is a connection again", async (t) => {
+  let last;
+  const page = await opened(t, { answers: (socket, ask) => talkative(last = socket, ask) });
+  await page.route(`${ORIGIN}/api/plots`, (route) => route.abort());
+  await page.getByRole("tab", { name: "Plots" }).click();
+  await page.waitForFunction(() => /does not answer/.test(document.querySelector(".chart-wrong").textContent));
+  await charted(page);
+  await last.close({ code: 1012 });
+  await page.waitForSelector(".chart svg");
+  assert.equal(await page.locator(".chart-wrong").textContent(), "");
+});
+
 // A server's file: states one after another, each for one look at it.
 async function filed(page, states) {
   const seen = { wishes: [], cancelled: 0 };

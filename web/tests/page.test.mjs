@@ -1,8 +1,12 @@
 // The designer page in a browser, with a server that says what a test wants: see designer_server.mjs.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { launched } from "./browser.mjs";
 import { ELEMENTS, frame, ORIGIN, prompt, served, values } from "./designer_server.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
 let browser;
 before(async () => {
@@ -264,7 +268,7 @@ test("the last design is open again where the address names none", async (t) => 
   assert.equal(await hashOf(page), "#spur?teeth=31&module=2&face_width=19");
   await page.getByText("Your last design is open again").waitFor();
   await page.getByRole("button", { name: "Undo" }).click();
-  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20");
+  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20&~material=steel");
 });
 
 test("what does not apply is hidden, left out and remembered", async (t) => {
@@ -338,7 +342,7 @@ test("a design file is opened; one that is none is told", async (t) => {
   server.read = (toml) => [{ design: { element: "spur", teeth: 12, module: 4, face_width: 8 } }, toml === "good" ? 200 : 422];
   const give = (content) => page.getByLabel("Design file", { exact: true }).setInputFiles({ name: "gear.toml", mimeType: "text/plain", buffer: Buffer.from(content) });
   await give("good");
-  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8&~material=steel");
   const dropped = await page.evaluateHandle(() => {
     const data = new DataTransfer();
     data.items.add(new File(["dropped"], "other.toml"));
@@ -346,11 +350,81 @@ test("a design file is opened; one that is none is told", async (t) => {
   });
   server.read = (toml) => [{ design: { element: "spur", teeth: 13, module: 4, face_width: 8 } }, toml === "dropped" ? 200 : 422];
   await page.dispatchEvent("main", "drop", { dataTransfer: dropped });
-  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8&~material=steel");
   server.read = () => [{ headline: "line 1: this is no TOML", problems: [] }, 422];
   await give("bad");
   await page.getByText("line 1: this is no TOML").waitFor();
-  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8");
+  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8&~material=steel");
+});
+
+test("an upload that arrives once its field is gone, or holds something else, is dropped", async (t) => {
+  const { page } = await opened(t, { hash: "#sweep?section=plate.dxf&length=30" });
+  let release;
+  await page.route(`${ORIGIN}/api/uploads*`, async (route) => {
+    await new Promise((go) => { release = go; });
+    await route.fulfill({ status: 201, contentType: "application/json", body: '{"value":"upload:1f/late.dxf","name":"late.dxf","bytes":1}' }).catch(() => {});
+  });
+  const send = async () => {
+    release = null;
+    await page.getByLabel("section, file").or(field(page, "section").locator('input[type="file"]')).first().setInputFiles({ name: "late.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("0") });
+    for (let i = 0; i < 50 && !release; i++) await page.waitForTimeout(20);
+  };
+  await send();
+  await page.getByLabel("Element").selectOption("spur gear");
+  release();
+  await page.waitForTimeout(150);
+  assert.match(await hashOf(page), /^#spur/);
+  assert.ok(await field(page, "teeth").isVisible());
+  await page.goBack();
+  await until(page, () => location.hash.startsWith("#sweep"));
+  await send();
+  await field(page, "section").locator("select").first().selectOption({ label: "circle" });
+  release();
+  await page.waitForTimeout(150);
+  assert.doesNotMatch(await hashOf(page), /late/);
+  await page.evaluate(() => { location.hash = "#sweep?section=plate.dxf&length=30"; });
+  await until(page, () => document.querySelector('[data-parameter="section"] input[type="file"]'));
+  await send();
+  await page.evaluate(() => { location.hash = "#sweep?section=other.dxf&length=30"; });
+  await until(page, () => document.querySelector('[data-parameter="section"] .reading')?.textContent === "other.dxf");
+  release();
+  await page.waitForTimeout(150);
+  assert.match(await hashOf(page), /section=other.dxf/);
+});
+
+test("points that are none are shown as an empty field, by which the server's words stand", async (t) => {
+  const refuse = (socket, { id }) => socket.send(JSON.stringify({
+    answer: "refused", id, headline: "This cannot be built", problems: [{ parameter: "section", member: null, subject: "section", message: "points are needed" }] }));
+  const { page, server } = await opened(t, { hash: "#sweep?section={\"polygon\":[1,2,3]}&length=30", answers: refuse });
+  const rows = field(page, "section").locator("textarea").first();
+  for (const polygon of ["[1,2,3]", '[["a","b"],["c","d"],[1,2]]', "[[0,0],[1,0],null]"]) {
+    await page.evaluate((hash) => { location.hash = hash; }, `#sweep?section={"polygon":${polygon}}&length=31`);
+    await until(page, () => document.querySelector('[data-parameter="length"] input').value === "31");
+    assert.equal(await rows.inputValue(), "");
+    await until(page, () => document.querySelector('[data-parameter="section"] .problem')?.textContent.includes("points are needed"));
+    assert.deepEqual(server.asks.at(-1).design.section.polygon, JSON.parse(polygon));
+    await page.evaluate(() => { location.hash = '#sweep?section={"polygon":[[0,0],[1,0],[0,1]]}&length=30'; });
+    await until(page, () => document.querySelector('[data-parameter="length"] input').value === "30");
+    assert.equal(await rows.inputValue(), "0, 0\n1, 0\n0, 1");
+  }
+});
+
+test("a design that cannot be shown is told and not kept: the example, or the one before it, stays", async (t) => {
+  const broken = { ...ELEMENTS.kinds[0], name: "broken", command: "broken", start: { element: "broken" }, parameters: [{ name: "odd" }] };
+  const { page } = await opened(t, { elements: { ...ELEMENTS, kinds: [...ELEMENTS.kinds, broken] } });
+  await page.evaluate(() => localStorage.setItem("gearwright.design", "#broken?odd=1"));
+  await page.reload(); // the address is still the example's
+  await page.goto("about:blank");
+  await page.goto(ORIGIN);
+  await page.waitForSelector("html[data-ready]");
+  await page.getByText(/broken cannot be shown/).waitFor();
+  assert.equal(await page.getByLabel("Element").inputValue(), "spur pair");
+  assert.match(await page.evaluate(() => localStorage.getItem("gearwright.design")), /^#spur/);
+  await text(page, "face_width").fill("21");
+  await page.getByLabel("Element").selectOption("broken");
+  assert.equal(await page.getByLabel("Element").inputValue(), "spur pair");
+  assert.equal(await text(page, "face_width").inputValue(), "21");
+  assert.match(await hashOf(page), /^#spur.*face_width=21/);
 });
 
 test("what it is made of and about which point", async (t) => {
@@ -389,6 +463,37 @@ test("a pinned design stays as it was, beside the one that changes", async (t) =
   await page.getByRole("button", { name: "Leave the comparison" }).click();
   assert.equal(await page.locator(".pane").count(), 1);
   assert.equal(await page.getByRole("tab", { name: "Compared" }).count(), 0);
+});
+
+test("a design that cannot be built is not pinned, but the last one that was", async (t) => {
+  const none = (socket, { id }) => socket.send(JSON.stringify({ answer: "refused", id, headline: "no", problems: [] }));
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=-1", answers: none });
+  await until(page, () => document.querySelector(".pane").dataset.state === "old");
+  const compare = page.getByRole("button", { name: "Keep this design" });
+  await compare.click();
+  await page.getByText("There is nothing to compare with yet").waitFor();
+  assert.equal(await page.locator(".pane").count(), 1);
+  server.answers = byWidth(0);
+  await text(page, "face_width").fill("16");
+  await until(page, () => document.querySelector(".strip").textContent.includes("16\u202f000"));
+  server.answers = (socket, ask) => (ask.design.face_width === 16 ? byWidth(0) : none)(socket, ask);
+  await text(page, "face_width").fill("-3");
+  await until(page, () => document.querySelector(".pane").dataset.state === "old");
+  await compare.click();
+  await page.getByText("B is the last design that was built").waitFor();
+  await until(page, () => document.querySelectorAll(".comparison td").length > 0);
+  assert.equal(server.asks.at(-1).design.face_width, 16);
+});
+
+test("landmarks have names of their own, headings their order", async (t) => {
+  const { page } = await opened(t);
+  await until(page, () => document.querySelector(".strip").textContent);
+  await page.evaluate(readFileSync(AXE, "utf8"));
+  for (const tab of ["Sizes", "Files"]) {
+    await page.getByRole("tab", { name: tab }).click();
+    const { violations } = await page.evaluate(() => window.axe.run({ runOnly: ["landmark-unique", "heading-order", "region", "page-has-heading-one"] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join()}`), []);
+  }
 });
 
 test("a note of the server is read out", async (t) => {
@@ -507,6 +612,93 @@ test("on paper there is a data sheet", async (t) => {
   for (const gone of ["header", ".form", ".middle", "[role=tablist]"]) assert.ok(!(await page.locator(gone).first().isVisible()), gone);
   assert.ok(await page.locator("[data-panel=sizes]").isVisible());
   await page.emulateMedia({ media: "screen" });
+});
+
+// Model and values of a width's volume; the values so many milliseconds late.
+const byWidth = (late) => (socket, { id, design }) => {
+  socket.send(frame(id, `spur gear: width ${design.face_width}`));
+  setTimeout(() => {
+    socket.send(JSON.stringify(values(id, 1000 * design.face_width)));
+    socket.send(JSON.stringify({ answer: "done", id, seconds: 0 }));
+  }, late);
+};
+const printed = async (page) => {
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  const sheet = page.locator(".sheet");
+  const row = (await sheet.locator("tr").allTextContents()).find((one) => one.startsWith("Face width"));
+  return { title: await sheet.locator("h1").textContent(), width: row, note: await sheet.locator(".sheet-note").allTextContents(), images: await sheet.locator("img").count() };
+};
+
+test("a sheet is of one design: that of its tables, which it says where it is not the form's", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  assert.deepEqual(await printed(page), { title: "Spur gear: width 16", width: "Face width b16mm", note: [], images: 1 });
+  server.answers = byWidth(1500); // the new model is there before its values
+  await text(page, "face_width").fill("19");
+  await until(page, () => document.querySelector(".mv-title").textContent.endsWith("19"));
+  const early = await printed(page);
+  assert.deepEqual([early.title, early.width, early.images], ["Spur gear: width 16", "Face width b16mm", 0]);
+  assert.match(early.note[0], /the last design that was built/);
+  await until(page, () => document.querySelector(".strip").textContent.includes("19 000"));
+  assert.deepEqual(await printed(page), { title: "Spur gear: width 19", width: "Face width b19mm", note: [], images: 1 });
+  await text(page, "face_width").fill("-3x");
+  assert.deepEqual([(await printed(page)).width, (await printed(page)).images, (await printed(page)).note.length], ["Face width b19mm", 1, 1]);
+});
+
+test("results of an earlier design are marked until those of the form's are there, and are not copied", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  const old = () => page.evaluate(() => [...document.querySelectorAll("[data-old]")].map((one) => one.className));
+  const copy = async () => {
+    await page.getByRole("tab", { name: "Files" }).click();
+    await page.getByRole("button", { name: "Copy TOML" }).click();
+    return page.locator(".copies [role=status]").textContent();
+  };
+  assert.deepEqual(await old(), []);
+  server.answers = (socket, { id }) => socket.send(JSON.stringify({ answer: "refused", id, headline: "no", problems: [] }));
+  await text(page, "face_width").fill("-3");
+  await until(page, () => document.querySelector(".strip[data-old]"));
+  assert.deepEqual(await old(), ["strip", "scrolls", "scrolls"]);
+  assert.match(await copy(), /^Not copied/);
+  server.answers = byWidth(1200);
+  await text(page, "face_width").fill("20");
+  await until(page, () => document.querySelector(".mv-title").textContent.endsWith("20"));
+  assert.deepEqual((await old()).length, 3, "the model is new, the values are not");
+  await until(page, () => document.querySelector(".strip").textContent.includes("20 000"));
+  assert.deepEqual(await old(), []);
+  assert.match(await copy(), /^(Copied|The browser)/);
+  await page.getByRole("tab", { name: "Mass & inertia" }).click();
+  await page.getByLabel("Material").selectOption("steel");
+  await until(page, () => document.querySelector("[data-panel=mass] [data-old]"));
+  await until(page, () => !document.querySelector("[data-old]"));
+});
+
+test("the badge of an old model outlasts a late answer, and stands while the server is away", async (t) => {
+  const open = [];
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: byWidth(0) });
+  await until(page, () => document.querySelector(".strip").textContent);
+  server.answers = (socket, ask) => open.push([socket, ask]);
+  await text(page, "face_width").fill("18");
+  await page.waitForTimeout(80);
+  await text(page, "face_width").fill("18x");
+  byWidth(0)(...open[0]);
+  await until(page, () => document.querySelector(".strip").textContent.includes("18 000"));
+  assert.ok(await page.locator(".about-view .old").isVisible());
+  server.answers = byWidth(0);
+  await text(page, "face_width").fill("18");
+  await until(page, () => document.querySelector(".pane").dataset.state === "new" && !document.querySelector("[data-old]"));
+  await server.sockets[0].close({ code: 1012 });
+  await until(page, () => /trying again/.test(document.querySelector(".link").textContent));
+  assert.ok(!(await page.locator(".about-view .old").isVisible()));
+  server.answers = () => {};
+  await text(page, "face_width").fill("17");
+  await until(page, () => /server has answered/.test(document.querySelector(".about-view .old:not([hidden])")?.textContent));
+  assert.ok(await page.locator(".strip[data-old]").isVisible());
+  server.answers = byWidth(0);
+  await server.sockets.at(-1).close({ code: 1012 });
+  await until(page, () => document.querySelector(".strip").textContent.includes("17 000"));
+  assert.ok(!(await page.locator(".about-view .old").isVisible()));
+  assert.equal(await page.locator("[data-old]").count(), 0);
 });
 
 test("without a server the page says so, and tries again", async (t) => {

@@ -10,7 +10,7 @@ const { History } = await moduleOf("history");
 const { designOf, valuesOf, inUnit } = await moduleOf("design");
 const { kindOf, startOf } = await moduleOf("kinds");
 const { range } = await moduleOf("form/ranges");
-const { rowsOf } = await moduleOf("form/points_editor");
+const { rowsOf, rowsGiven } = await moduleOf("form/points_editor");
 const { listed } = await moduleOf("form/text_editor");
 const { density } = await moduleOf("weighing");
 const { summary, told } = await moduleOf("amounts");
@@ -135,6 +135,15 @@ test("points are typed with commas of either sort", () => {
   assert.equal(rowsOf("1 2 3", ["x", "y"], "mm"), "row 1: x, y are needed, such as 0, 10");
   assert.deepEqual(listed("1 2,5; 3, 4"), [1, 2.5, 3, 4]);
   assert.match(listed("1 x"), /x/);
+});
+
+test("what is no list of points is none", () => {
+  assert.deepEqual(rowsGiven([[0, 0], [1, 0.5]], 2), [[0, 0], [1, 0.5]]);
+  for (const value of [undefined, 5, "ab", { a: 1 }, [1, 2, 3], [["a", "b"], ["c", "d"]], [[0, 0], [1, 0], null], [[0, 0, 0]], [[0, Infinity]]]) {
+    assert.deepEqual(rowsGiven(value, 2), [], JSON.stringify(value));
+  }
+  const several = { ...kind("sweep").parameters[0], forms: [{ form: "several", of: { form: "table", entries: [] }, words: "" }] };
+  assert.deepEqual(inUnit({ ...kind("sweep"), parameters: [several] }, { section: [null, 2] }, "mm", "in").section, [null, 2]);
 });
 
 test("densities have units of their own", () => {

@@ -295,6 +295,13 @@ test("the centroid stands where the values say, and principal axes are as long a
   assert.ok(Math.abs(extents / radius - 1) < 0.03, `${extents}`);
   assert.equal(await orange(along(110 * DEGREE, 0.95 * (128 / 150) * 0.5 * extents)), true);
   assert.equal(await orange(along(110 * DEGREE, 1.1 * (128 / 150) * 0.5 * extents)), false);
+  await page.evaluate(() => view.setOld(true, false)); // values of another design: offered, not drawn
+  await keep(page, "with");
+  assert.equal(await orange(along(110 * DEGREE, 0.95 * (128 / 150) * 0.5 * extents)), false);
+  assert.equal(await page.getByLabel("Centroid and principal axes").isVisible(), true);
+  await page.evaluate(() => view.setOld(false, true));
+  await keep(page, "with");
+  assert.equal(await orange(along(110 * DEGREE, 0.95 * (128 / 150) * 0.5 * extents)), true);
   await page.close();
 });
 
@@ -389,6 +396,12 @@ test("lines of contact are those of the turn next to now, pitch by pitch", async
     await keep(page, "drawn");
     const box = await extent(page, "drawn", RED);
     assert.ok(Math.abs((box.bottom - box.top) * scale - high) < 4 * scale, `${turn}: ${(box.bottom - box.top) * scale}`);
+  }
+  for (const old of [true, false]) {
+    await page.evaluate((old) => view.setOld(false, old), old);
+    await keep(page, "drawn");
+    assert.equal((await extent(page, "drawn", RED)).number === 0, old);
+    assert.equal(await page.getByLabel("Lines of contact").isVisible(), true);
   }
   await page.close();
 });

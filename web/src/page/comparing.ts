@@ -1,8 +1,8 @@
 // A second design at the side, kept as it was, and a table of what differs.
 
 import { Comparison } from "./comparison";
+import type { Wish } from "./connection";
 import { element } from "./dom";
-import type { State } from "./hash";
 import { Pane } from "./pane";
 import type { LengthUnit, ValuesAnswer } from "./protocol";
 import type { Tabs } from "./tabs";
@@ -11,41 +11,52 @@ import type { Theme } from "./theme";
 export class Comparing {
   private pane: Pane | null = null;
   private readonly table = new Comparison();
+  readonly element = element("div", {}, this.table.element);
   private a: ValuesAnswer | null = null;
   private b: ValuesAnswer | null = null;
+  private why = ""; // why there is no b
   private shown: LengthUnit = "mm";
   private look: Theme = "light";
 
   constructor(private readonly views: HTMLElement, private readonly tabs: Tabs, private readonly note: (text: string) => void) {}
 
+  get results(): HTMLElement {
+    return this.table.element;
+  }
+
   get on(): boolean {
     return this.pane !== null;
   }
 
-  // values: of the design as it is pinned
-  pin(state: State, values: ValuesAnswer | null, unit: LengthUnit): void {
+  // values: of the design that is being edited, A
+  pin(wish: Wish, values: ValuesAnswer | null, unit: LengthUnit): void {
     this.shown = unit;
     this.a = values;
     this.b = null;
+    this.why = "";
     this.pane = new Pane("Model of the pinned design, B", {
       values: (given) => {
         this.b = given;
+        this.why = "";
         this.refresh();
       },
       built: () => {},
-      refused: (headline) => this.note(`The pinned design, B: ${headline}`),
+      refused: (headline) => {
+        this.why = `The pinned design, B, has no values: ${headline}`;
+        this.note(this.why);
+        this.refresh();
+      },
       link: () => {},
       note: this.note,
     });
-    const { design, density, material, about } = state;
     this.pane.element.prepend(element("p", { class: "badge" }, "B, pinned"));
     this.views.append(this.pane.element);
     this.views.classList.add("two-views");
     this.views.firstElementChild!.prepend(element("p", { class: "badge" }, "A, being edited"));
     this.pane.theme(this.look);
     this.pane.unit(unit);
-    this.pane.ask({ design, density, material, about });
-    this.tabs.add("compared", "Compared", this.table.element);
+    this.pane.ask(wish);
+    this.tabs.add("compared", "Compared", this.element);
     this.tabs.choose("compared", true);
     this.refresh();
   }
@@ -75,6 +86,6 @@ export class Comparing {
   }
 
   private refresh(): void {
-    if (this.pane) this.table.show(this.a?.document ?? null, this.b?.document ?? null, this.shown);
+    if (this.pane) this.table.show(this.a?.document ?? null, this.b?.document ?? null, this.shown, this.why);
   }
 }

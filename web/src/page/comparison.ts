@@ -61,16 +61,17 @@ export class Comparison {
   private readonly tables = element("div");
   readonly element = element("div", { class: "comparison" },
     element("label", { class: "only" }, this.differing, " only what differs"), this.tables);
-  private given: [Document | null, Document | null, LengthUnit] = [null, null, "mm"];
+  private given: [Document | null, Document | null, LengthUnit, string] = [null, null, "mm", ""];
 
   constructor() {
     this.differing.addEventListener("change", () => this.show(...this.given));
   }
 
-  show(a: Document | null, b: Document | null, unit: LengthUnit): void {
-    this.given = [a, b, unit];
+  // why: why values are not there; "" where they are on their way
+  show(a: Document | null, b: Document | null, unit: LengthUnit, why = ""): void {
+    this.given = [a, b, unit, why];
     if (!a || !b) {
-      this.tables.replaceChildren(element("p", { class: "hint" }, "Values follow."));
+      this.tables.replaceChildren(element("p", { class: "hint" }, why || "Values follow."));
       return;
     }
     const all = lines(a, b, unit).filter((line) => !this.differing.checked || change(line) !== 0);

@@ -7,8 +7,8 @@ export type Wish = { design: Design; density: number | null; material: string | 
 export type Link = "connecting" | "open" | "lost";
 
 export interface Listener {
-  mesh(frame: ModelFrame): void;
-  answer(answer: Answer): void;
+  mesh(frame: ModelFrame, of: Wish): void;
+  answer(answer: Answer, of: Wish | null): void; // of: what was asked last
   link(state: Link): void;
   busy(waiting: boolean): void;
 }
@@ -125,7 +125,7 @@ export class Connection {
     this.drew = performance.now();
     this.patience = within(2 * (this.drew - this.sent), PATIENCE);
     try {
-      this.listener.mesh(decodeMesh(data, this.known));
+      this.listener.mesh(decodeMesh(data, this.known), this.asked!);
       this.after(this.rest, () => {
         this.rest = within(2 * this.rest, REST);
       });
@@ -146,7 +146,7 @@ export class Connection {
     const answer = JSON.parse(data) as Answer;
     if ("id" in answer && answer.id !== this.id) return;
     if (answer.answer === "values") this.rest = within(2 * (performance.now() - this.drew), REST);
-    this.listener.answer(answer);
+    this.listener.answer(answer, this.asked);
     if (["done", "refused", "failed"].includes(answer.answer)) this.listener.busy(this.wish !== null);
     if (LAST.includes(answer.answer)) this.next();
   }

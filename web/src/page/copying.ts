@@ -14,13 +14,14 @@ const KINDS: Record<Kind, [title: string, said: string]> = {
   text: ["Table", "the values as a table"],
 };
 
-export function copying(host: HTMLElement) {
+// current: whether the values are of the design as it is typed
+export function copying(host: HTMLElement, current: () => boolean = () => true) {
   let values: ValuesAnswer | null = null;
   const said = element("p", { class: "hint", role: "status" });
   const shown = element("pre", { tabindex: "0", "aria-label": "What was copied" });
   const buttons = (Object.keys(KINDS) as Kind[]).map((kind) =>
     button(KINDS[kind][0], () => void copy(kind), `Copy ${KINDS[kind][1]}`));
-  const made = element("section", { class: "copies", "aria-label": "Copy" }, element("h3", {}, "Copy"),
+  const made = element("section", { class: "copies", "aria-label": "Copy" }, element("h2", {}, "Copy"),
     element("p", { class: "hint" }, "The design as a file, code or a command; its values to the last digit for a spreadsheet or a program."),
     element("div", { class: "buttons" }, ...buttons), said, shown);
   made.hidden = shown.hidden = true;
@@ -28,6 +29,11 @@ export function copying(host: HTMLElement) {
 
   async function copy(kind: Kind): Promise<void> {
     if (!values) return;
+    if (!current()) {
+      said.textContent = "Not copied: what is typed is not built yet, or cannot be.";
+      shown.hidden = true;
+      return;
+    }
     const text = textOf(kind, values);
     said.textContent = "";
     const done = await copied(text);

@@ -61,7 +61,7 @@ function scaled(parameter: Parameter, value: Value, factor: number): Value {
 function scaledForm(form: Form, value: Value, factor: number): Value {
   if (form.form === "points") return times(value, factor);
   if (form.form === "several") return (value as Value[]).map((one) => scaledForm(form.of, one, factor));
-  if (form.form !== "table") return value;
+  if (form.form !== "table" || typeof value !== "object" || value === null) return value;
   return Object.fromEntries(Object.entries(value as Values).map(([name, entry]) => {
     const parameter = form.entries.find((one) => one.name === name);
     return [name, parameter ? scaled(parameter, entry, factor) : entry];

@@ -3,9 +3,12 @@
 import { partsOf, summary } from "./amounts";
 import { Announcer } from "./announcer";
 import { Address } from "./address";
+import { Ageing } from "./ageing";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
+import type { Wish } from "./connection";
 import { copying } from "./copying";
+import { beginning } from "./beginning";
 import { unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
@@ -20,6 +23,7 @@ import { Pane } from "./pane";
 import { plots } from "./plots";
 import type { ApproximationAnswer, Design, Elements, Kind, LengthUnit, Material, ValuesAnswer } from "./protocol";
 import { Sheet } from "./sheet";
+import { Standing } from "./standing";
 import { tables } from "./tables";
 import { Tabs } from "./tabs";
 import { keep, recalled, type Themes } from "./theme";
@@ -38,7 +42,7 @@ export class Designer {
   private kind: Kind;
   private form: DesignForm;
   private readonly seen = new Map<string, Design>(); // the last design of each kind
-  private readonly history: History<State>;
+  private history: History<State>;
   private readonly announcer = new Announcer();
   private readonly sheet = new Sheet();
   private readonly header: Header;
@@ -51,6 +55,7 @@ export class Designer {
   private readonly plots: ReturnType<typeof plots>;
   private readonly outputs: ReturnType<typeof outputs>;
   private readonly copying: ReturnType<typeof copying>;
+  private readonly standing: Standing;
   private readonly address = new Address();
   private settling = 0;
   private readonly steel: string | null;
@@ -60,10 +65,11 @@ export class Designer {
   ) {
     const first = elements.kinds.find((kind) => kind.command === "spur" && kind.members === 2) ?? elements.kinds[0]!;
     this.steel = materials.some((one) => one.name === STEEL) ? STEEL : null;
-    const { state, note } = this.begin(first);
-    this.state = state;
-    this.kind = kindOf(elements.kinds, state.design) ?? first;
-    this.history = new History(hashOf, kept(note ? this.example(first) : state));
+    const example = this.example(first);
+    const { state, again, note } = beginning(elements.kinds, location.hash, recalled(KEY), example);
+    this.state = example;
+    this.kind = first;
+    this.history = new History(hashOf, kept(again ? example : state));
     this.history.settle(kept(state));
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
@@ -81,19 +87,30 @@ export class Designer {
       [this.announcer.spoken, this.announcer.toasts, this.sheet.element]);
     this.pane = new Pane("Model", {
       values: (values, approximation) => this.take(values, approximation),
-      built: () => this.form.refuse("", []),
+      built: () => {
+        this.form.refuse("", []);
+        this.standing.mark();
+      },
       refused: (headline, problems) => {
         this.form.refuse(headline, problems);
+        this.standing.mark();
         this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
       },
-      link: (link) => this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]),
+      link: (link) => {
+        this.header.linked(link);
+        this.standing?.linked(link);
+        if (link === "open") this.plots?.again();
+      },
       note: (text) => this.announcer.note(text),
     });
     this.parts.views.append(this.pane.element);
     this.comparing = new Comparing(this.parts.views, this.tabs, (text) => this.announcer.note(text));
     this.tables = tables({ sizes, mass });
     this.plots = plots(plot, api);
-    this.copying = copying(copies);
+    this.copying = copying(copies, () => this.standing.current);
+    const tabled = [...sizes.children, ...mass.children, this.comparing.results] as HTMLElement[];
+    this.standing = new Standing(this.pane, new Ageing(tabled, this.parts.strip),
+      () => ({ wish: this.wish, broken: this.form.broken.length > 0 }));
     this.outputs = outputs(files, api);
     this.form = this.formOf(this.kind);
     themes.follow((theme) => {
@@ -106,7 +123,10 @@ export class Designer {
     window.addEventListener("beforeprint", () => this.print());
     document.addEventListener("change", () => this.settleSoon());
     if (note) this.announcer.note(note);
-    this.show();
+    if (!this.shows(state)) {
+      this.history = new History(hashOf, kept(example));
+      if (again) this.settle(); // what cannot be shown is not kept for the next time either
+    }
     this.publish("replace");
   }
 
@@ -115,20 +135,10 @@ export class Designer {
     return { ...plain({ ...kind.start }), material: this.steel };
   }
 
-  // The design of the address, the last one, or an example.
-  private begin(first: Kind): { state: State; note: string } {
-    const known = (state: State | null) => (state && kindOf(this.elements.kinds, state.design) ? state : null);
-    const named = known(stateOf(location.hash));
-    if (named) return { state: named, note: "" };
-    const note = location.hash.length > 1 ? "The address holds no design that is known here." : "";
-    const last = known(stateOf(recalled(KEY) ?? ""));
-    if (last) return { state: last, note: note || "Your last design is open again; Undo leads to the example." };
-    if (note) this.announcer.note(note);
-    return { state: this.example(first), note: "" };
-  }
-
   private formOf(kind: Kind): DesignForm {
-    const form = new DesignForm(kind, this.api, (design) => this.edited(design));
+    const form = new DesignForm(kind, this.api, (design) => {
+      if (form === this.form) this.edited(design); // one that was taken away tells nothing
+    });
     this.parts.form.replaceChildren(form.element);
     this.plots.kind(kind);
     this.outputs.kind(kind);
@@ -138,12 +148,13 @@ export class Designer {
   // What somebody does in the form. null: a field holds no value
   private edited(design: Design | null): void {
     if (!design) {
-      this.pane.stale();
+      this.standing.mark();
       this.announcer.say(this.form.broken.join(". "));
       return;
     }
     if (hashOf({ ...this.state, design }) === hashOf(this.state)) {
       if (this.pane.element.dataset.state === "old") this.ask();
+      this.standing.mark();
       return;
     }
     this.change({ design });
@@ -165,11 +176,27 @@ export class Designer {
     this.settle();
   }
 
-  // Shows a state that did not come from the form.
-  private go(state: State, how: "replace" | "push" = "replace"): void {
-    this.state = state;
-    this.show();
+  // Shows a state that did not come from the form. Gives whether that was possible.
+  private go(state: State, how: "replace" | "push" = "replace"): boolean {
+    const shown = this.shows(state);
     this.publish(how);
+    return shown;
+  }
+
+  // A state that cannot be shown is told, and the one before it stays.
+  private shows(state: State): boolean {
+    const before = this.state;
+    this.state = state;
+    try {
+      this.show();
+      return true;
+    } catch (error) {
+      console.error(error);
+      this.state = before;
+      this.show();
+      this.announcer.note(`This design of the element ${state.design.element} cannot be shown, so the one before it stays.`);
+      return false;
+    }
   }
 
   private show(): void {
@@ -205,8 +232,13 @@ export class Designer {
   }
 
   private ask(): void {
+    this.pane.ask(this.wish);
+    this.standing.mark();
+  }
+
+  private get wish(): Wish {
     const { design, density, material, about } = this.state;
-    this.pane.ask({ design, density, material, about });
+    return { design, density, material, about };
   }
 
   private get unit(): LengthUnit {
@@ -220,6 +252,7 @@ export class Designer {
   private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
     this.tables.show(values, approximation, this.unit, this.state.about);
     this.comparing.show(values);
+    this.standing.came();
     if (approximation) return;
     this.copying.show(values);
     this.tell();
@@ -235,8 +268,17 @@ export class Designer {
 
   private compare(): void {
     if (this.comparing.on) this.comparing.leave();
-    else this.comparing.pin(this.state, this.pane.values, this.unit);
+    else this.pin();
     this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
+  }
+
+  // What can be compared is what can be built: where the form's design cannot, the last one that was.
+  private pin(): void {
+    const { values, valued } = this.pane;
+    const wish = this.standing.unbuilt ? valued : this.wish;
+    if (!wish) return this.announcer.note("There is nothing to compare with yet: the design cannot be built as it is.");
+    if (wish === valued) this.announcer.note("B is the last design that was built, since what is typed is not.");
+    this.comparing.pin(wish, values, this.unit);
   }
 
   private async open(file: File): Promise<void> {
@@ -244,9 +286,9 @@ export class Designer {
       const design = await this.api.read(await file.text());
       if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
       this.settle();
-      this.go({ ...this.state, design });
+      const shown = this.go({ ...this.state, design });
       this.settle();
-      this.announcer.note(`${file.name} is open.`);
+      if (shown) this.announcer.note(`${file.name} is open.`);
     } catch (error) {
       this.announcer.note(error instanceof ApiError ? error.message : `${file.name} could not be read`, 20_000);
     }
@@ -291,6 +333,6 @@ export class Designer {
   }
 
   private print(): void {
-    this.sheet.show(this.kind, this.state.design, this.pane.title, this.pane.picture());
+    this.standing.print(this.sheet, ({ design }) => kindOf(this.elements.kinds, design) ?? this.kind);
   }
 }

@@ -1,5 +1,6 @@
 // A state as the part of the page's address after "#", for people to read and share, and back.
 
+import type { Wish } from "./connection";
 import type { About, Design, LengthUnit, Value } from "./protocol";
 
 export interface State {
@@ -52,6 +53,9 @@ function put(state: State, name: string, value: Value): void {
   else if (name === "~unit" && (value === "mm" || value === "in")) state.unit = value;
   else if (name === "~tab" && typeof value === "string") state.tab = value;
 }
+
+// Whether two designs are the same, with what they are made of and the point of reference.
+export const sameWish = (a: Wish, b: Wish): boolean => hashOf({ ...plain(a.design), ...a }) === hashOf({ ...plain(b.design), ...b });
 
 const isPoint = (value: Value): value is [number, number, number] =>
   Array.isArray(value) && value.length === 3 && value.every((x) => typeof x === "number");

@@ -1,5 +1,6 @@
 // The top of the page: which element, back and forth, open, compare, units, light or dark.
 
+import type { Link } from "./connection";
 import { button, capital, element, unique } from "./dom";
 import { grouped } from "./kinds";
 import type { Kind, LengthUnit } from "./protocol";
@@ -17,7 +18,7 @@ export interface Actions {
 
 export class Header {
   readonly element: HTMLElement;
-  readonly link = element("span", { class: "link", role: "status" });
+  private readonly link = element("span", { class: "link", role: "status" });
   private readonly kinds = element("select", { id: unique("element") });
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
@@ -56,6 +57,10 @@ export class Header {
         element("fieldset", { class: "units" }, element("legend", { class: "unseen" }, "Show lengths in"),
           ...this.units.map((input) => element("label", {}, input, element("span", {}, input.value)))),
         button("◐", actions.theme, "Light or dark")));
+  }
+
+  linked(link: Link): void {
+    this.link.textContent = { connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link];
   }
 
   show(kind: Kind, unit: LengthUnit, undoable: boolean, redoable: boolean, comparing: boolean): void {

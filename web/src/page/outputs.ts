@@ -46,7 +46,7 @@ class Outputs {
     };
     this.weightless = element("p", { class: "problem" }, "This format holds masses: choose a material or a density. ",
       button("Choose a material", () => document.querySelector<HTMLElement>('[role="tab"][data-tab="mass"]')?.click()));
-    const form = element("form", { class: "making" }, element("h3", {}, "Make a file"), field("Format", this.format),
+    const form = element("form", { class: "making" }, element("h2", {}, "Make a file"), field("Format", this.format),
       element("fieldset", {}, element("legend", { class: "unseen" }, "Options"), ...Object.values(this.fields)), this.weightless, this.wrong,
       element("button", { type: "submit", class: "go" }, "Make the file"));
     form.addEventListener("submit", (event) => {

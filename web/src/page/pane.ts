@@ -3,7 +3,8 @@
 import { ModelView } from "../scene/model_view";
 import { Connection, type Link, type Wish } from "./connection";
 import { element } from "./dom";
-import type { ApproximationAnswer, LengthUnit, Problem, ValuesAnswer } from "./protocol";
+import { sameWish } from "./hash";
+import type { Answer, ApproximationAnswer, LengthUnit, Problem, ValuesAnswer } from "./protocol";
 import type { Theme } from "./theme";
 
 export interface Watcher {
@@ -14,15 +15,24 @@ export interface Watcher {
   note(text: string): void;
 }
 
-const OLD = "Shown: the last design that can be built.";
+const OLD = { refused: "Shown: the last design that can be built.", lost: "Shown: the last design that the server has answered." };
+const NONE = {
+  refused: "Nothing to show yet: the design cannot be built as it is.", lost: "Nothing to show yet: the server does not answer.",
+};
+const GRACE = 250; // ms for which marks of the design before stay, else they would flicker under a slider
 
 export class Pane {
   readonly element: HTMLElement;
   private readonly host: HTMLElement;
   title = "";
   values: ValuesAnswer | null = null;
+  drawn: Wish | null = null; // whose model is shown
+  valued: Wish | null = null; // whose values are known
+  valuedTitle = "";
+  private overlaid: Wish | null = null;
+  private ageing = 0;
   private readonly stage = element("p", { class: "stage" });
-  private readonly old = element("p", { class: "old" }, OLD);
+  private readonly old = element("p", { class: "old" }, OLD.refused);
   private readonly view: ModelView;
   private readonly connection: Connection;
   private approximation: ApproximationAnswer | null = null;
@@ -33,20 +43,22 @@ export class Pane {
   constructor(label: string, private readonly watcher: Watcher) {
     this.host = element("div", { class: "view" });
     this.waiting = element("p", { class: "waiting" }, "The model is on its way.");
-    this.element = element("section", { class: "pane", "aria-label": label }, this.host, this.waiting,
+    this.element = element("div", { class: "pane" }, this.host, this.waiting,
       element("div", { class: "about-view" }, this.old, this.stage));
     this.old.hidden = this.stage.hidden = true;
     this.view = new ModelView(this.host, { label });
     this.connection = new Connection({
-      mesh: (frame) => {
+      mesh: (frame, of) => {
         this.view.show(frame);
         this.title = frame.title;
+        this.drawn = of;
+        this.age();
         this.showing = true;
         this.waiting.hidden = true;
         this.fresh();
         watcher.built();
       },
-      answer: (answer) => this.take(answer),
+      answer: (answer, of) => this.take(answer, of),
       link: (state) => watcher.link(state),
       busy: (on) => this.busy(on),
     });
@@ -67,16 +79,17 @@ export class Pane {
 
   // Another kind of thing comes: what is known of the last one is of no use.
   forget(): void {
-    this.values = this.approximation = null;
+    this.values = this.approximation = this.valued = this.overlaid = null;
     this.view.setValues(null);
     this.view.setOverlays(null);
   }
 
   // What is shown is not what the form says.
-  stale(): void {
+  stale(why: "refused" | "lost" = "refused"): void {
     this.old.hidden = !this.showing;
+    this.old.textContent = OLD[why];
     this.waiting.hidden = this.showing;
-    if (!this.showing) this.waiting.textContent = "Nothing to show yet: the design cannot be built as it is.";
+    if (!this.showing) this.waiting.textContent = NONE[why];
     this.element.dataset.state = "old";
   }
 
@@ -91,13 +104,36 @@ export class Pane {
     return canvas && canvas.width > 0 ? canvas.toDataURL("image/png") : null;
   }
 
+  // Marks of an earlier design are not drawn on the model of a newer one.
+  private age(): void {
+    const [values, overlays] = this.older();
+    this.view.setOld(values && this.view.old.values, overlays && this.view.old.overlays); // what has come is drawn at once
+    if (!values && !overlays) {
+      clearTimeout(this.ageing);
+      this.ageing = 0;
+    } else {
+      this.ageing ||= window.setTimeout(() => {
+        this.ageing = 0;
+        this.view.setOld(...this.older());
+      }, GRACE);
+    }
+  }
+
+  // Whether values and overlays are of another design than the model.
+  private older(): [values: boolean, overlays: boolean] {
+    const { drawn } = this;
+    const older = (of: Wish | null) => of !== null && drawn !== null && !sameWish(of, drawn);
+    return [older(this.valued), older(this.overlaid)];
+  }
+
   close(): void {
+    clearTimeout(this.ageing);
     this.connection.close();
     this.view.dispose();
     this.element.remove();
   }
 
-  private take(answer: Parameters<ConstructorParameters<typeof Connection>[0]["answer"]>[0]): void {
+  private take(answer: Answer, of: Wish | null): void {
     switch (answer.answer) {
       case "stage":
         this.stage.textContent = `${answer.text} …`;
@@ -105,8 +141,11 @@ export class Pane {
         break;
       case "values":
         this.values = answer;
+        this.valued = of;
+        this.valuedTitle = this.title;
         this.approximation = null;
         this.view.setValues(answer);
+        this.age();
         this.watcher.values(answer, null);
         break;
       case "approximation":
@@ -115,6 +154,8 @@ export class Pane {
         break;
       case "overlays":
         this.view.setOverlays(answer);
+        this.overlaid = of;
+        this.age();
         break;
       case "refused":
         this.stale();

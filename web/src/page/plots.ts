@@ -55,6 +55,11 @@ class Plots {
     this.soon(PAUSE);
   }
 
+  // There is a connection again: a chart that could not be had is asked for again.
+  again(): void {
+    if (this.wrong.textContent) this.soon(0);
+  }
+
   private name(): string {
     return `${this.which?.name ?? "chart"} ${this.choice.value}`.replaceAll(" ", "-");
   }

@@ -8,7 +8,8 @@ import type { Design, Kind, Parameter, Value } from "./protocol";
 export class Sheet {
   readonly element = element("section", { class: "sheet", "aria-hidden": "true" });
 
-  show(kind: Kind, design: Design, title: string, picture: string | null): void {
+  // note: what is to be known of it, such as that it is of an earlier design
+  show(kind: Kind, design: Design, title: string, picture: string | null, note: string): void {
     const given = kind.parameters.filter((parameter) => design[parameter.name] !== undefined);
     const rows = given.map((parameter) => element("tr", {},
       element("th", { scope: "row" }, capital(words(parameter.name)), " ", parameter.symbol ? symbol(parameter.symbol) : null),
@@ -18,6 +19,7 @@ export class Sheet {
     if (picture) image.src = picture;
     this.element.replaceChildren(
       element("h1", {}, capital(title || kind.name)),
+      note ? element("p", { class: "sheet-note" }, note) : "",
       element("div", { class: "sheet-columns" },
         element("table", {}, element("caption", {}, "Parameters as given"), element("tbody", {}, ...rows)),
         ...(picture ? [image] : [])));

@@ -53,6 +53,7 @@ export class ModelView {
   private frame: ModelFrame | null = null;
   private values: Values | null = null;
   private overlays: Overlays | null = null;
+  old = { values: false, overlays: false }; // whether they are of another design than the bodies
   private kind = "";
   private fitted = 0; // the radius that was fitted into the view
   private wanted: "mm" | "in" = "mm";
@@ -121,6 +122,14 @@ export class ModelView {
   setOverlays(answer: Overlays | null): void {
     this.overlays = answer;
     this.contact.show(answer?.lines ?? []);
+    this.turnTo(this.running.value());
+    this.mark();
+  }
+
+  // Marks of values or overlays that are of another design are not drawn, though still offered.
+  setOld(values: boolean, overlays: boolean): void {
+    if (values === this.old.values && overlays === this.old.overlays) return;
+    this.old = { values, overlays };
     this.turnTo(this.running.value());
     this.mark();
   }
@@ -235,15 +244,20 @@ export class ModelView {
     if (!this.stage || !this.frame) return;
     const { unit } = this.frame;
     const cut = this.section.axis ? this.section.plane : null;
+    const kinds = new Set<string>();
+    let inertia = false;
     for (const mark of this.marks) {
       const { name } = mark.body.solid;
-      mark.spread = this.values && spreadOf(this.values, name, this.bodies.length === 1);
-      mark.surfaces = this.overlays?.bodies.find((body) => body.name === name)?.surfaces ?? [];
+      const spread = this.values && spreadOf(this.values, name, this.bodies.length === 1);
+      const surfaces = this.overlays?.bodies.find((body) => body.name === name)?.surfaces ?? [];
+      inertia ||= Boolean(spread);
+      for (const { kind } of surfaces) kinds.add(kind);
+      mark.spread = this.old.values ? null : spread;
+      mark.surfaces = this.old.overlays ? [] : surfaces;
       mark.refresh(this.choices, this.stage.radius, INK[this.theme], unit, readOut(unit, this.wanted), cut);
     }
-    const kinds = new Set(this.marks.flatMap((mark) => mark.surfaces.map((surface) => surface.kind)));
     this.panel?.offer([...kinds], this.overlays !== null && this.overlays.lines.length > 0,
-      this.marks.some((mark) => mark.spread), this.frame.turns !== null);
+      inertia, this.frame.turns !== null);
     this.stage.draw();
   }
 
@@ -256,7 +270,7 @@ export class ModelView {
 
   private turnTo(degrees: number): void {
     for (const body of this.bodies) body.turnTo(degrees);
-    this.contact.at(degrees, this.choices.contact);
+    this.contact.at(degrees, this.choices.contact && !this.old.overlays);
     this.stage?.draw();
   }
 

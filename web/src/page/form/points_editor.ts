@@ -23,6 +23,13 @@ export function rowsOf(text: string, coordinates: string[], unit: "mm" | "in"): 
   return rows;
 }
 
+// A design's value as rows; none where it is anything but points of so many finite numbers.
+export function rowsGiven(value: Value | undefined, count: number): Row[] {
+  const isRow = (row: Value): row is Row =>
+    Array.isArray(row) && row.length === count && row.every((one) => typeof one === "number" && Number.isFinite(one));
+  return Array.isArray(value) && value.every(isRow) ? value.map((row) => [...row]) : [];
+}
+
 // "1,5 2" and "1.5, 2" and "1.5,2" are all two numbers.
 function split(line: string, count: number): string[] {
   const ways = [/\s*;\s*/, /,?\s+/, /\s*[,;]\s*|\s+/].map((mark) => line.split(mark).filter(Boolean));
@@ -73,9 +80,9 @@ export function pointsEditor(form: Form & { form: "points" }, naming: Naming, co
     element: element("div", { class: "points" }, drawing?.element ?? null, text, clear),
     inputs: [text],
     set(value: Value | undefined) {
-      const given = Array.isArray(value) ? (value as Row[]) : [];
+      const given = rowsGiven(value, form.coordinates.length);
       if (JSON.stringify(given) === JSON.stringify(rows) && !wrong) return;
-      [rows, wrong] = [given.map((row) => [...row]), null];
+      [rows, wrong] = [given, null];
       write();
       drawing?.show(rows as [number, number][]);
     },

@@ -61,7 +61,7 @@ export function numbersEditor(form: Form & { form: "numbers" }, naming: Naming, 
     element: text,
     inputs: [text],
     set(value: Value | undefined) {
-      const numbers = Array.isArray(value) ? (value as number[]) : [];
+      const numbers = Array.isArray(value) && value.every((one) => typeof one === "number") ? value : [];
       if (JSON.stringify(numbers) !== JSON.stringify(given) || wrong) text.value = numbers.map(shown).join("  ");
       [given, wrong] = [numbers, null];
     },
