@@ -69,6 +69,29 @@ test("what is typed has units of its own", async (t) => {
   assert.deepEqual(server.asks.at(-1).design, { element: "spur", teeth: 24, diametral_pitch: 8, face_width: 12.7 });
 });
 
+test("a pitch typed key by key in the module's field is handed over whole, and a module likewise", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16" });
+  await text(page, "module").fill("");
+  await text(page, "module").pressSequentially("DP 12", { delay: 20 });
+  assert.equal(await text(page, "module").inputValue(), "DP 12");
+  assert.equal(await text(page, "diametral_pitch").inputValue(), "12");
+  await page.keyboard.press("Tab");
+  assert.equal(await text(page, "module").inputValue(), "");
+  await until(page, () => /diametral_pitch=12(&|$)/.test(location.hash) && !location.hash.includes("module"));
+  await text(page, "diametral_pitch").fill("");
+  await text(page, "diametral_pitch").pressSequentially("m 2.5", { delay: 20 });
+  await page.keyboard.press("Enter");
+  await until(page, () => location.hash.includes("module=2.5") && !location.hash.includes("pitch"));
+  assert.equal(await text(page, "module").inputValue(), "2.5");
+  await text(page, "module").fill("DP 8");
+  await text(page, "module").fill("3"); // thought better of it
+  await until(page, () => location.hash.includes("module=3") && !location.hash.includes("pitch"));
+  await text(page, "face_width").fill("P 8");
+  assert.match(await field(page, "face_width").locator(".problem").textContent(), /P 8 is no length/);
+  await page.waitForTimeout(60);
+  assert.deepEqual(server.asks.at(-1).design, { element: "spur", teeth: 24, module: 3, face_width: 16 });
+});
+
 test("a slider that is pulled asks once a frame, and the newest wins while an answer is under way", async (t) => {
   const open = [];
   const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: prompt });

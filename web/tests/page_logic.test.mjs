@@ -22,22 +22,25 @@ const TYPED = [
   ["12.7", "mm", 12.7], ["12,7", "mm", 12.7], [" 0.5 in ", "mm", 12.7], ["1/2 in", "mm", 12.7], ['1 1/2"', "mm", 38.1], ["1-1/2 inch", "in", 1.5],
   ["25.4 mm", "in", 1], ["2 cm", "mm", 20], ["50 µm", "mm", 0.05], ["5 thou", "mm", 0.127], ["−3", "mm", -3], ["-1/4 in", "mm", -6.35],
   ["1e-3", "", 0.001], [".5", "", 0.5], ["20", "deg", 20], ["20 deg", "deg", 20], ["20°30'", "deg", 20.5], ["20° 15' 36\"", "deg", 20.26],
-  ["-14°30'", "deg", -14.5], ["1 rad", "deg", 180 / Math.PI], ["8", "per inch", 8], ["DP 8", "per inch", 8], ["0.1 in", "mm", 2.54], ["1\u202f1/2 in", "in", 1.5],
+  ["-14°30'", "deg", -14.5], ["1 rad", "deg", 180 / Math.PI], ["8", "per inch", 8], ["0.1 in", "mm", 2.54], ["1\u202f1/2 in", "in", 1.5],
+  ["½ in", "mm", 12.7], ["1½ in", "in", 1.5], ["1 ¾\"", "in", 1.75], ["-¼ in", "in", -0.25], ["1' 6\"", "in", 18], ["1'6\"", "mm", 457.2], ["2 ft", "in", 24],
+  ["2'", "in", 24], ["1 ft 6 1/2 in", "in", 18.5], ["1' 6½\"", "in", 18.5], ["-1' 6\"", "in", -18], ["20'", "deg", 1 / 3],
 ];
 for (const [text, unit, value] of TYPED) {
   test(`"${text}" is ${value} ${unit}`, () => assert.equal(quantity(text, unit).value, value));
 }
 
 test("words of another parameter name it", () => {
-  assert.deepEqual(quantity("DP 8", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
-  assert.deepEqual(quantity("8 dp", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
-  assert.deepEqual(quantity("m 2,5", "per inch"), { value: 2.5, bare: false, other: "module" });
-  assert.equal(quantity("m 2.5", "mm").other, undefined);
+  assert.deepEqual(quantity("DP 8", "mm", true), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("8 dp", "mm", true), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("m 2,5", "per inch", true), { value: 2.5, bare: false, other: "module" });
+  assert.equal(quantity("m 2.5", "mm", true).other, undefined);
+  assert.equal(quantity("DP 8", "per inch", true).value, 8);
   assert.equal(quantity("3 m", "mm").value, 3000);
 });
 
 test("what is no value says what is needed", () => {
-  for (const [text, unit] of [["", "mm"], ["ten", "mm"], ["3 kg", "mm"], ["3 mm", "deg"], ["3 mm", ""], ["1,234.5", "mm"], ["1/0", "mm"], ["DP 8", "deg"]]) {
+  for (const [text, unit] of [["", "mm"], ["ten", "mm"], ["3 kg", "mm"], ["3 mm", "deg"], ["3 mm", ""], ["1,234.5", "mm"], ["1/0", "mm"], ["DP 8", "deg"], ["DP 8", "mm"], ["P 8", "in"], ["8 DP", "mm"], ["8 P", ""], ["m 2.5", "mm"], ["P", "mm"], ["1' 6\" x", "in"]]) {
     assert.ok("problem" in quantity(text, unit), text);
   }
 });
@@ -142,7 +145,10 @@ test("densities have units of their own", () => {
   assert.equal(density("7,85 g/cm³"), 7850);
   assert.ok(Math.abs(density("0.284 lb/in3") - 7861) < 1);
   assert.equal(density("0"), "must be greater than 0");
-  assert.match(density("1 kg/l"), /unit/);
+  assert.match(density("1 kg/foo"), /unit/);
+  for (const [typed, value] of [["7.85 g/cc", 7850], ["7.85 kg/dm^3", 7850], ["490 lb/ft³", 7849.052], ["0.5 LB/IN3", 13839.95]]) {
+    assert.ok(Math.abs(density(typed) - value) < 0.01, `${typed}: ${density(typed)}`);
+  }
 });
 
 const part = (volume, mass_unit = "kg") => ({

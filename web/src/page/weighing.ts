@@ -10,13 +10,17 @@ export interface Weight {
   about: About;
 }
 
-const UNITS: Record<string, number> = { "kg/m³": 1, "kg/m3": 1, "g/cm³": 1000, "g/cm3": 1000, "lb/in³": 27679.9047102031, "lb/in3": 27679.9047102031 };
+const POUND = 0.45359237; // kg
+const [IN3, FT3] = [0.0254 ** 3, 0.3048 ** 3]; // m³
+const UNITS: Record<string, number> = {
+  "kg/m3": 1, "g/cm3": 1000, "g/cc": 1000, "g/ml": 1000, "kg/dm3": 1000, "kg/l": 1000, "lb/in3": POUND / IN3, "lb/ft3": POUND / FT3,
+};
 
 // kg/m³ of what was typed; a text that says what is wrong with it
 export function density(typed: string): number | string {
   const [, number = "", unit = ""] = /^(.*?)\s*((?:kg|g|lb)\s*\/.*)?$/i.exec(typed.trim()) ?? [];
-  const factor = unit ? UNITS[unit.replaceAll(" ", "").toLowerCase()] : 1;
-  if (!factor) return `${unit} is no unit of density; kg/m³, g/cm³ and lb/in³ are`;
+  const factor = unit ? UNITS[unit.replaceAll(" ", "").replace(/³|\^3/, "3").toLowerCase()] : 1;
+  if (!factor) return `${unit} is no unit of density; kg/m³, g/cm³, kg/dm³, lb/in³ and lb/ft³ are`;
   const found = quantity(number, "");
   if ("problem" in found) return found.problem;
   return found.value > 0 ? Number((found.value * factor).toPrecision(12)) : "must be greater than 0";
