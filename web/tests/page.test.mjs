@@ -287,7 +287,7 @@ test("the last design is open again where the address names none", async (t) => 
   assert.equal(await hashOf(page), "#spur?teeth=31&module=2&face_width=19");
   await page.getByText("Your last design is open again").waitFor();
   await page.getByRole("button", { name: "Undo" }).click();
-  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20");
+  assert.equal(await hashOf(page), "#spur?teeth=16,40&module=3&face_width=20&~material=steel");
 });
 
 test("what does not apply is hidden, left out and remembered", async (t) => {
@@ -361,7 +361,7 @@ test("a design file is opened; one that is none is told", async (t) => {
   server.read = (toml) => [{ design: { element: "spur", teeth: 12, module: 4, face_width: 8 } }, toml === "good" ? 200 : 422];
   const give = (content) => page.getByLabel("Design file", { exact: true }).setInputFiles({ name: "gear.toml", mimeType: "text/plain", buffer: Buffer.from(content) });
   await give("good");
-  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=12&module=4&face_width=8&~material=steel");
   const dropped = await page.evaluateHandle(() => {
     const data = new DataTransfer();
     data.items.add(new File(["dropped"], "other.toml"));
@@ -369,11 +369,37 @@ test("a design file is opened; one that is none is told", async (t) => {
   });
   server.read = (toml) => [{ design: { element: "spur", teeth: 13, module: 4, face_width: 8 } }, toml === "dropped" ? 200 : 422];
   await page.dispatchEvent("main", "drop", { dataTransfer: dropped });
-  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8");
+  await until(page, () => location.hash === "#spur?teeth=13&module=4&face_width=8&~material=steel");
   server.read = () => [{ headline: "line 1: this is no TOML", problems: [] }, 422];
   await give("bad");
   await page.getByText("line 1: this is no TOML").waitFor();
-  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8");
+  assert.equal(await hashOf(page), "#spur?teeth=13&module=4&face_width=8&~material=steel");
+});
+
+test("another unit of the design leaves the point of reference where it is", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&~about=100,0,0&~tab=mass" });
+  assert.equal(await page.locator(".weighing .field:has(.point) .unit").textContent(), "mm");
+  await field(page, "length_unit").locator("select").selectOption("in");
+  await until(page, () => location.hash.includes("~about=3.937007874015748,0,0"));
+  assert.match(await page.getByLabel("x of the point").inputValue(), /^3\.937/);
+  assert.equal(await page.locator(".weighing .field:has(.point) .unit").textContent(), "in");
+  await page.waitForTimeout(60);
+  assert.ok(Math.abs(server.asks.at(-1).about[0] - 100 / 25.4) < 1e-12);
+});
+
+test("a density that is none leaves the last one, says so, and keeps nothing else waiting", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&~material=steel&~tab=mass" });
+  await page.getByLabel("Material").selectOption("typed");
+  assert.equal(await page.getByLabel("Density").getAttribute("aria-invalid"), "true");
+  assert.equal(await page.locator(".weighing .problem").textContent(), "a density is needed; the masses are still those of steel");
+  await page.getByLabel("Inertia about").selectOption("centroid");
+  await until(page, () => location.hash.includes("~about=centroid"));
+  await page.getByLabel("Density").fill("-3");
+  assert.match(await page.locator(".weighing .problem").textContent(), /^must be greater than 0; .*steel$/);
+  await page.getByLabel("Density").fill("2700");
+  await until(page, () => location.hash.includes("~density=2700"));
+  assert.equal(await page.locator(".weighing .problem").isHidden(), true);
+  assert.deepEqual([server.asks.at(-1).material, server.asks.at(-1).about], [null, "centroid"]);
 });
 
 test("what it is made of and about which point", async (t) => {

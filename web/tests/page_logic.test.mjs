@@ -7,7 +7,7 @@ import { moduleOf } from "./page_modules.mjs";
 const { quantity, shown } = await moduleOf("form/quantity");
 const { hashOf, stateOf, plain } = await moduleOf("hash");
 const { History } = await moduleOf("history");
-const { designOf, valuesOf, inUnit } = await moduleOf("design");
+const { aboutIn, designOf, valuesOf, inUnit } = await moduleOf("design");
 const { kindOf, startOf } = await moduleOf("kinds");
 const { range } = await moduleOf("form/ranges");
 const { rowsOf } = await moduleOf("form/points_editor");
@@ -120,6 +120,20 @@ test("a kind like the last one takes over what they share", () => {
   assert.deepEqual(startOf(kind("sweep"), kind("spur pair"), design), kind("sweep").start);
 });
 
+test("a body that fits the example's teeth does not come along to teeth of another size", () => {
+  const single = { ...kind("spur gear"), start: { ...kind("spur gear").start, bore: 8 } };
+  const from = (more) => startOf(single, kind("spur gear"), { element: "helical", teeth: 24, module: 2, face_width: 16, ...more });
+  assert.deepEqual(from({}), single.start);
+  assert.deepEqual(from({ module: 1 }), { element: "spur", teeth: 24, module: 1, face_width: 16 });
+  assert.deepEqual(from({ face_width: 1, length_unit: "in" }), { element: "spur", teeth: 24, module: 2, face_width: 1, length_unit: "in" });
+});
+
+test("a point of reference stays where it is in another unit", () => {
+  assert.deepEqual(aboutIn([127, 0, -2.54], "mm", "in"), [5, 0, -0.1]);
+  assert.deepEqual(aboutIn([5, 0, -0.1], "in", "mm"), [127, 0, -2.54]);
+  assert.equal(aboutIn("centroid", "mm", "in"), "centroid");
+});
+
 test("sliders stay within the limits and reach the value", () => {
   const [teeth, module, , width, angle] = kind("spur gear").parameters;
   for (const [parameter, values] of [[teeth, [3, 24, 10000]], [module, [1e-3, 3, 400]], [width, [0.1, 2e4]], [angle, [1, 20, 59]]]) {
@@ -171,5 +185,8 @@ test("a comparison has both columns in the unit that is shown", () => {
   assert.equal(of("volume").unit, "in³");
   assert.ok(Math.abs(of("disk area").a - 2) < 1e-12 && of("disk area").unit === "in²");
   assert.equal(of("contact ratio").a, 1.6);
+  const modules = { sizes: { outer_module: { value: 4, unit: "mm", symbol: "m" }, module: { value: 0.1, unit: "in", symbol: "m" } }, properties: part(1).properties };
+  const told_ = lines(modules, modules, "in").filter(({ name }) => name.endsWith("module"));
+  assert.deepEqual(told_.map(({ a, unit }) => [Number(a.toPrecision(12)), unit]), [[4, "mm"], [2.54, "mm"]]);
   assert.ok(Math.abs(of("centroid z").a - 0.5) < 1e-12 && Math.abs(of("principal moment 3").a - 1) < 1e-12);
 });

@@ -6,7 +6,7 @@ import { Address } from "./address";
 import { type Api, ApiError } from "./api";
 import { Comparing } from "./comparing";
 import { copying } from "./copying";
-import { unitOf } from "./design";
+import { aboutIn, unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
 import { hashOf, plain, type State, stateOf } from "./hash";
@@ -146,7 +146,16 @@ export class Designer {
       if (this.pane.element.dataset.state === "old") this.ask();
       return;
     }
-    this.change({ design });
+    const state = this.with(design);
+    const moved = state.about !== this.state.about;
+    this.change(state);
+    if (moved) this.weighing.set(state, this.kind.origin);
+    else this.weighing.units();
+  }
+
+  // Another design in the state; a point of reference stays where it is, whatever lengths are counted in.
+  private with(design: Design): State {
+    return { ...this.state, design, about: aboutIn(this.state.about, unitOf(this.state.design), unitOf(design)) };
   }
 
   private change(part: Partial<State>): void {
@@ -161,7 +170,7 @@ export class Designer {
     this.settle();
     this.seen.set(this.kind.name, this.state.design);
     const design = this.seen.get(kind.name) ?? startOf(kind, this.kind, this.state.design);
-    this.go({ ...this.state, design }, "push");
+    this.go(this.with(design), "push");
     this.settle();
   }
 
@@ -244,7 +253,7 @@ export class Designer {
       const design = await this.api.read(await file.text());
       if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
       this.settle();
-      this.go({ ...this.state, design });
+      this.go(this.with(design));
       this.settle();
       this.announcer.note(`${file.name} is open.`);
     } catch (error) {
