@@ -402,6 +402,29 @@ test("a density that is none leaves the last one, says so, and keeps nothing els
   assert.deepEqual([server.asks.at(-1).material, server.asks.at(-1).about], [null, "centroid"]);
 });
 
+test("what the kind does not have can be left out where it is refused", async (t) => {
+  const answers = (socket, ask) => {
+    if (!("bore_depth" in ask.design)) return prompt(socket, ask);
+    const problems = [{ parameter: null, member: null, subject: "bore_depth = 3", message: "there is no such parameter" }];
+    socket.send(JSON.stringify({ answer: "refused", id: ask.id, headline: "This cannot be built", problems }));
+    socket.send(JSON.stringify({ answer: "done", id: ask.id, seconds: 0 }));
+  };
+  const { page } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&bore_depth=3", answers });
+  await page.getByRole("button", { name: "Leave out bore depth" }).click();
+  await until(page, () => document.querySelector(".strip").textContent && !document.querySelector(".refusals").textContent);
+  assert.equal(await hashOf(page), "#spur?teeth=24&module=2&face_width=16");
+});
+
+test("a pair whose numbers of teeth are cleared is a pair still, when it comes back, too", async (t) => {
+  const { page } = await opened(t, { hash: "#spur?teeth=16,40&module=3&face_width=20" });
+  for (const input of await field(page, "teeth").locator('input[type="text"]').all()) await input.fill("");
+  await until(page, () => location.hash.includes("teeth=none,none"));
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  assert.equal(await page.getByLabel("Element", { exact: true }).inputValue(), "spur pair");
+  assert.deepEqual(await field(page, "teeth").locator('input[type="text"]').evaluateAll((all) => all.map((one) => one.value)), ["", ""]);
+});
+
 test("what it is made of and about which point", async (t) => {
   const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16" });
   await page.getByRole("tab", { name: "Mass & inertia" }).click();
