@@ -5,7 +5,7 @@ import { ELEMENTS } from "./designer_server.mjs";
 import { moduleOf } from "./page_modules.mjs";
 
 const { quantity, shown } = await moduleOf("form/quantity");
-const { hashOf, stateOf, plain } = await moduleOf("hash");
+const { faultOf, hashOf, stateOf, plain } = await moduleOf("hash");
 const { History } = await moduleOf("history");
 const { aboutIn, designOf, valuesOf, inUnit } = await moduleOf("design");
 const { kindOf, startOf } = await moduleOf("kinds");
@@ -75,6 +75,15 @@ test("an address is for people to read", () => {
 
 test("what is no state is none", () => {
   for (const hash of ["", "#", "#?a=1", "#spur?=1", "#spur?teeth", "#spur?a=%zz", "#spur?a=[1"]) assert.equal(stateOf(hash), null, hash);
+});
+
+test("numbers beyond range are refused in words", () => {
+  for (const entry of ["module=1e400", "~density=1e400", "~about=1e400,0,0", "teeth=16,-2e309", "section={\"polygon\":[[0,1e999],[1,0],[1,1]]}"]) {
+    assert.equal(stateOf(`#spur?a=1&${entry}`), null, entry);
+    assert.match(faultOf(`#spur?a=1&${entry}`), /beyond all range: \d/, entry);
+  }
+  assert.match(faultOf("#spur?a=%zz"), /no design/);
+  assert.equal(stateOf("#spur?a=1e300").design.a, 1e300);
 });
 
 test("what was undone is done again, until something else is done", () => {

@@ -3,13 +3,13 @@
 import { partsOf, summary } from "./amounts";
 import { Announcer } from "./announcer";
 import { Address } from "./address";
-import { type Api, ApiError } from "./api";
+import { type Api, ApiError, lineOf } from "./api";
 import { Comparing } from "./comparing";
 import { copying } from "./copying";
 import { aboutIn, unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
-import { hashOf, plain, type State, stateOf } from "./hash";
+import { faultOf, hashOf, plain, type State, stateOf } from "./hash";
 import { Header } from "./header";
 import { History } from "./history";
 import { kindOf, startOf } from "./kinds";
@@ -84,7 +84,7 @@ export class Designer {
       built: () => this.form.refuse("", []),
       refused: (headline, problems) => {
         this.form.refuse(headline, problems);
-        this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
+        this.announcer.say([headline, ...problems.map(lineOf)].join(". "));
       },
       link: (link) => this.header.link.replaceChildren({ connecting: "connecting …", open: "", lost: "The server does not answer; trying again …" }[link]),
       note: (text) => this.announcer.note(text),
@@ -120,7 +120,7 @@ export class Designer {
     const known = (state: State | null) => (state && kindOf(this.elements.kinds, state.design) ? state : null);
     const named = known(stateOf(location.hash));
     if (named) return { state: named, note: "" };
-    const note = location.hash.length > 1 ? "The address holds no design that is known here." : "";
+    const note = location.hash.length > 1 ? faultOf(location.hash) : "";
     const last = known(stateOf(recalled(KEY) ?? ""));
     if (last) return { state: last, note: note || "Your last design is open again; Undo leads to the example." };
     if (note) this.announcer.note(note);
@@ -251,13 +251,13 @@ export class Designer {
   private async open(file: File): Promise<void> {
     try {
       const design = await this.api.read(await file.text());
-      if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
+      if (!kindOf(this.elements.kinds, design)) throw new ApiError("It holds no element that is known here", [], 0);
       this.settle();
       this.go(this.with(design));
       this.settle();
       this.announcer.note(`${file.name} is open.`);
     } catch (error) {
-      this.announcer.note(error instanceof ApiError ? error.message : `${file.name} could not be read`, 20_000);
+      this.announcer.note(error instanceof ApiError ? `${file.name}: ${error.message}` : `${file.name} could not be read`, 20_000);
     }
   }
 
@@ -290,7 +290,7 @@ export class Designer {
   private addressed(): void {
     const state = stateOf(location.hash);
     if (!state || !kindOf(this.elements.kinds, state.design)) {
-      this.announcer.note("The address holds no design that is known here.");
+      this.announcer.note(faultOf(location.hash));
       return;
     }
     if (hashOf(state) === hashOf(this.state)) return;
