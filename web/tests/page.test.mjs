@@ -343,6 +343,18 @@ test("a section is drawn by mouse and by keys", async (t) => {
   assert.match(await field(page, "section").locator(".problem").textContent(), /row 3/);
 });
 
+test("the drawing holds a point that is moved out of it by keys; a new hole lies inside", async (t) => {
+  const { page } = await opened(t, { hash: '#sweep?section={"polygon":[[10,10],[30,10],[30,30],[10,30]]}&length=30' });
+  const drawing = page.getByRole("group", { name: "section, polygon, drawing" });
+  await drawing.locator(".handle").nth(1).focus();
+  for (let press = 0; press < 15; press++) await page.keyboard.press("Shift+ArrowRight");
+  const [place, focused] = await drawing.locator(".handle").nth(1).evaluate((circle) => [Number(circle.getAttribute("cx")), document.activeElement === circle]);
+  assert.ok(place <= 300 && focused, `${place} ${focused}`);
+  await page.getByRole("button", { name: "Add one to section, holes" }).click();
+  const rows = (await page.getByLabel("section, holes 1: one point").inputValue()).split("\n").map((row) => row.split(", ").map(Number));
+  assert.ok(rows.length === 4 && rows.every(([x, y]) => x > 10 && y > 10 && y < 30), JSON.stringify(rows));
+});
+
 test("another form of a section brings an example; a file is handed over", async (t) => {
   const { page, server } = await opened(t, { hash: "#sweep?section={\"circle\":5}&length=30" });
   const form = field(page, "section").locator("select").first();

@@ -11,6 +11,7 @@ const { aboutIn, designOf, valuesOf, inUnit } = await moduleOf("design");
 const { kindOf, startOf } = await moduleOf("kinds");
 const { range } = await moduleOf("form/ranges");
 const { rowsOf } = await moduleOf("form/points_editor");
+const { holeIn } = await moduleOf("form/inside");
 const { listed } = await moduleOf("form/text_editor");
 const { density } = await moduleOf("weighing");
 const { summary, told } = await moduleOf("amounts");
@@ -154,6 +155,23 @@ test("sliders stay within the limits and reach the value", () => {
       if (value !== null && value > step) assert.ok(value >= least - step && value <= most, `${parameter.name} ${value}: ${least} to ${most}`);
     }
   }
+});
+
+test("a new hole lies inside its outline, clear of the others", () => {
+  const outline = [[0, 0], [40, 0], [40, 10], [10, 10], [10, 40], [0, 40]]; // an L, whose middle is outside
+  const free = ([x, y]) => x > 0 && y > 0 && x < 40 && y < 40 && (x < 10 || y < 10);
+  const holes = [];
+  for (let i = 0; i < 5; i++) {
+    const hole = holeIn(outline, holes);
+    assert.ok(hole.every(free), JSON.stringify(hole));
+    const [[x0, y0], , [x1, y1]] = hole;
+    assert.ok(x1 - x0 > 0.5 && y1 - y0 > 0.5, JSON.stringify(hole));
+    assert.ok(holes.every(([[a0, b0], , [a1, b1]]) => x1 < a0 || x0 > a1 || y1 < b0 || y0 > b1), JSON.stringify(hole));
+    holes.push(hole);
+  }
+  const clockwise = holeIn([...outline].reverse(), []);
+  assert.ok(clockwise.every(free));
+  assert.equal(holeIn([[0, 0], [1, 0], [2, 0]], []), undefined);
 });
 
 test("points are typed with commas of either sort", () => {
