@@ -9,7 +9,7 @@ export const lineOf = ({ subject, message }: Problem) => (subject ? `${subject}:
 
 export class ApiError extends Error {
   constructor(readonly headline: string, readonly problems: Problem[], readonly status: number) {
-    super([headline, ...problems.map(lineOf)].join(". "));
+    super([headline, ...problems.map(lineOf)].join("\n"));
   }
 }
 
