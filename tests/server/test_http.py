@@ -122,7 +122,15 @@ def test_toml_is_read_with_gaps_for_members(client):
     toml = 'element = "spur"\nteeth = [16, 40]\nmodule = 3\nface_width = 20\nbore = [8.0, "none"]\n'
     design = client.post("/api/read", json={"toml": toml}).json()["design"]
     assert design == {**PAIR, "bore": [8.0, None]}
-    assert "line 2" in refused(client.post("/api/read", json={"toml": "a = 1\nb ="}), 422)["problems"][0]["message"]
+    problem = refused(client.post("/api/read", json={"toml": "a = 1\nb ="}), 422)["problems"][0]
+    assert problem["subject"].startswith("line 2")
+    assert problem["message"].startswith("this is no TOML")
+
+
+@pytest.mark.parametrize("value", ["inf", "-inf", "nan", "[[0, 1], [nan, 0]]", "{circle = inf}", "1" + 400 * "0"])
+def test_toml_of_numbers_beyond_range_is_refused(client, value):
+    answer = refused(client.post("/api/read", json={"toml": f'element = "sweep"\nsection = {value}\nlength = 3'}), 422)
+    assert [one["subject"].split(" = ")[0] for one in answer["problems"]] == ["section"]
 
 
 def test_all_that_is_wrong_with_a_design_is_told_by_parameter(client):
@@ -308,7 +316,8 @@ def test_uploads_keep_a_plain_name(client, name):
 )
 def test_what_no_reader_takes_is_not_kept(client, name, data, status, told):
     answer = refused(client.post("/api/uploads", params={"name": name}, content=data), status)
-    assert told in json.dumps(answer)
+    assert answer["headline"] == "This file cannot be taken"
+    assert told in " ".join(f"{one['subject']}: {one['message']}" for one in answer["problems"])
 
 
 def test_the_oldest_uploads_are_forgotten(tmp_path):

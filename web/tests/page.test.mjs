@@ -73,6 +73,29 @@ test("what is typed has units of its own", async (t) => {
   assert.deepEqual(server.asks.at(-1).design, { element: "spur", teeth: 24, diametral_pitch: 8, face_width: 12.7 });
 });
 
+test("a pitch typed key by key in the module's field is handed over whole, and a module likewise", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16" });
+  await text(page, "module").fill("");
+  await text(page, "module").pressSequentially("DP 12", { delay: 20 });
+  assert.equal(await text(page, "module").inputValue(), "DP 12");
+  assert.equal(await text(page, "diametral_pitch").inputValue(), "12");
+  await page.keyboard.press("Tab");
+  assert.equal(await text(page, "module").inputValue(), "");
+  await until(page, () => /diametral_pitch=12(&|$)/.test(location.hash) && !location.hash.includes("module"));
+  await text(page, "diametral_pitch").fill("");
+  await text(page, "diametral_pitch").pressSequentially("m 2.5", { delay: 20 });
+  await page.keyboard.press("Enter");
+  await until(page, () => location.hash.includes("module=2.5") && !location.hash.includes("pitch"));
+  assert.equal(await text(page, "module").inputValue(), "2.5");
+  await text(page, "module").fill("DP 8");
+  await text(page, "module").fill("3"); // thought better of it
+  await until(page, () => location.hash.includes("module=3") && !location.hash.includes("pitch"));
+  await text(page, "face_width").fill("P 8");
+  assert.match(await field(page, "face_width").locator(".problem").textContent(), /P 8 is no length/);
+  await page.waitForTimeout(60);
+  assert.deepEqual(server.asks.at(-1).design, { element: "spur", teeth: 24, module: 3, face_width: 16 });
+});
+
 test("a slider that is pulled asks once a frame, and the newest wins while an answer is under way", async (t) => {
   const open = [];
   const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: prompt });
@@ -324,6 +347,18 @@ test("a section is drawn by mouse and by keys", async (t) => {
   assert.match(await field(page, "section").locator(".problem").textContent(), /row 3/);
 });
 
+test("the drawing holds a point that is moved out of it by keys; a new hole lies inside", async (t) => {
+  const { page } = await opened(t, { hash: '#sweep?section={"polygon":[[10,10],[30,10],[30,30],[10,30]]}&length=30' });
+  const drawing = page.getByRole("group", { name: "section, polygon, drawing" });
+  await drawing.locator(".handle").nth(1).focus();
+  for (let press = 0; press < 15; press++) await page.keyboard.press("Shift+ArrowRight");
+  const [place, focused] = await drawing.locator(".handle").nth(1).evaluate((circle) => [Number(circle.getAttribute("cx")), document.activeElement === circle]);
+  assert.ok(place <= 300 && focused, `${place} ${focused}`);
+  await page.getByRole("button", { name: "Add one to section, holes" }).click();
+  const rows = (await page.getByLabel("section, holes 1: one point").inputValue()).split("\n").map((row) => row.split(", ").map(Number));
+  assert.ok(rows.length === 4 && rows.every(([x, y]) => x > 10 && y > 10 && y < 30), JSON.stringify(rows));
+});
+
 test("another form of a section brings an example; a file is handed over", async (t) => {
   const { page, server } = await opened(t, { hash: "#sweep?section={\"circle\":5}&length=30" });
   const form = field(page, "section").locator("select").first();
@@ -425,6 +460,55 @@ test("a design that cannot be shown is told and not kept: the example, or the on
   assert.equal(await page.getByLabel("Element").inputValue(), "spur pair");
   assert.equal(await text(page, "face_width").inputValue(), "21");
   assert.match(await hashOf(page), /^#spur.*face_width=21/);
+});
+
+test("another unit of the design leaves the point of reference where it is", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&~about=100,0,0&~tab=mass" });
+  assert.equal(await page.locator(".weighing .field:has(.point) .unit").textContent(), "mm");
+  await field(page, "length_unit").locator("select").selectOption("in");
+  await until(page, () => location.hash.includes("~about=3.937007874015748,0,0"));
+  assert.match(await page.getByLabel("x of the point").inputValue(), /^3\.937/);
+  assert.equal(await page.locator(".weighing .field:has(.point) .unit").textContent(), "in");
+  await page.waitForTimeout(60);
+  assert.ok(Math.abs(server.asks.at(-1).about[0] - 100 / 25.4) < 1e-12);
+});
+
+test("a density that is none leaves the last one, says so, and keeps nothing else waiting", async (t) => {
+  const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&~material=steel&~tab=mass" });
+  await page.getByLabel("Material").selectOption("typed");
+  assert.equal(await page.getByLabel("Density").getAttribute("aria-invalid"), "true");
+  assert.equal(await page.locator(".weighing .problem").textContent(), "a density is needed; the masses are still those of steel");
+  await page.getByLabel("Inertia about").selectOption("centroid");
+  await until(page, () => location.hash.includes("~about=centroid"));
+  await page.getByLabel("Density").fill("-3");
+  assert.match(await page.locator(".weighing .problem").textContent(), /^must be greater than 0; .*steel$/);
+  await page.getByLabel("Density").fill("2700");
+  await until(page, () => location.hash.includes("~density=2700"));
+  assert.equal(await page.locator(".weighing .problem").isHidden(), true);
+  assert.deepEqual([server.asks.at(-1).material, server.asks.at(-1).about], [null, "centroid"]);
+});
+
+test("what the kind does not have can be left out where it is refused", async (t) => {
+  const answers = (socket, ask) => {
+    if (!("bore_depth" in ask.design)) return prompt(socket, ask);
+    const problems = [{ parameter: null, member: null, subject: "bore_depth = 3", message: "there is no such parameter" }];
+    socket.send(JSON.stringify({ answer: "refused", id: ask.id, headline: "This cannot be built", problems }));
+    socket.send(JSON.stringify({ answer: "done", id: ask.id, seconds: 0 }));
+  };
+  const { page } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16&bore_depth=3", answers });
+  await page.getByRole("button", { name: "Leave out bore depth" }).click();
+  await until(page, () => document.querySelector(".strip").textContent && !document.querySelector(".refusals").textContent);
+  assert.equal(await hashOf(page), "#spur?teeth=24&module=2&face_width=16");
+});
+
+test("a pair whose numbers of teeth are cleared is a pair still, when it comes back, too", async (t) => {
+  const { page } = await opened(t, { hash: "#spur?teeth=16,40&module=3&face_width=20" });
+  for (const input of await field(page, "teeth").locator('input[type="text"]').all()) await input.fill("");
+  await until(page, () => location.hash.includes("teeth=none,none"));
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  assert.equal(await page.getByLabel("Element", { exact: true }).inputValue(), "spur pair");
+  assert.deepEqual(await field(page, "teeth").locator('input[type="text"]').evaluateAll((all) => all.map((one) => one.value)), ["", ""]);
 });
 
 test("what it is made of and about which point", async (t) => {

@@ -5,12 +5,13 @@ import { ELEMENTS } from "./designer_server.mjs";
 import { moduleOf } from "./page_modules.mjs";
 
 const { quantity, shown } = await moduleOf("form/quantity");
-const { hashOf, stateOf, plain } = await moduleOf("hash");
+const { faultOf, hashOf, stateOf, plain } = await moduleOf("hash");
 const { History } = await moduleOf("history");
-const { designOf, valuesOf, inUnit } = await moduleOf("design");
+const { aboutIn, designOf, valuesOf, inUnit } = await moduleOf("design");
 const { kindOf, startOf } = await moduleOf("kinds");
 const { range } = await moduleOf("form/ranges");
 const { rowsOf, rowsGiven } = await moduleOf("form/points_editor");
+const { holeIn } = await moduleOf("form/inside");
 const { listed } = await moduleOf("form/text_editor");
 const { density } = await moduleOf("weighing");
 const { summary, told } = await moduleOf("amounts");
@@ -22,22 +23,25 @@ const TYPED = [
   ["12.7", "mm", 12.7], ["12,7", "mm", 12.7], [" 0.5 in ", "mm", 12.7], ["1/2 in", "mm", 12.7], ['1 1/2"', "mm", 38.1], ["1-1/2 inch", "in", 1.5],
   ["25.4 mm", "in", 1], ["2 cm", "mm", 20], ["50 µm", "mm", 0.05], ["5 thou", "mm", 0.127], ["−3", "mm", -3], ["-1/4 in", "mm", -6.35],
   ["1e-3", "", 0.001], [".5", "", 0.5], ["20", "deg", 20], ["20 deg", "deg", 20], ["20°30'", "deg", 20.5], ["20° 15' 36\"", "deg", 20.26],
-  ["-14°30'", "deg", -14.5], ["1 rad", "deg", 180 / Math.PI], ["8", "per inch", 8], ["DP 8", "per inch", 8], ["0.1 in", "mm", 2.54], ["1\u202f1/2 in", "in", 1.5],
+  ["-14°30'", "deg", -14.5], ["1 rad", "deg", 180 / Math.PI], ["8", "per inch", 8], ["0.1 in", "mm", 2.54], ["1\u202f1/2 in", "in", 1.5],
+  ["½ in", "mm", 12.7], ["1½ in", "in", 1.5], ["1 ¾\"", "in", 1.75], ["-¼ in", "in", -0.25], ["1' 6\"", "in", 18], ["1'6\"", "mm", 457.2], ["2 ft", "in", 24],
+  ["2'", "in", 24], ["1 ft 6 1/2 in", "in", 18.5], ["1' 6½\"", "in", 18.5], ["-1' 6\"", "in", -18], ["20'", "deg", 1 / 3],
 ];
 for (const [text, unit, value] of TYPED) {
   test(`"${text}" is ${value} ${unit}`, () => assert.equal(quantity(text, unit).value, value));
 }
 
 test("words of another parameter name it", () => {
-  assert.deepEqual(quantity("DP 8", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
-  assert.deepEqual(quantity("8 dp", "mm"), { value: 8, bare: false, other: "diametral_pitch" });
-  assert.deepEqual(quantity("m 2,5", "per inch"), { value: 2.5, bare: false, other: "module" });
-  assert.equal(quantity("m 2.5", "mm").other, undefined);
+  assert.deepEqual(quantity("DP 8", "mm", true), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("8 dp", "mm", true), { value: 8, bare: false, other: "diametral_pitch" });
+  assert.deepEqual(quantity("m 2,5", "per inch", true), { value: 2.5, bare: false, other: "module" });
+  assert.equal(quantity("m 2.5", "mm", true).other, undefined);
+  assert.equal(quantity("DP 8", "per inch", true).value, 8);
   assert.equal(quantity("3 m", "mm").value, 3000);
 });
 
 test("what is no value says what is needed", () => {
-  for (const [text, unit] of [["", "mm"], ["ten", "mm"], ["3 kg", "mm"], ["3 mm", "deg"], ["3 mm", ""], ["1,234.5", "mm"], ["1/0", "mm"], ["DP 8", "deg"]]) {
+  for (const [text, unit] of [["", "mm"], ["ten", "mm"], ["3 kg", "mm"], ["3 mm", "deg"], ["3 mm", ""], ["1,234.5", "mm"], ["1/0", "mm"], ["DP 8", "deg"], ["DP 8", "mm"], ["P 8", "in"], ["8 DP", "mm"], ["8 P", ""], ["m 2.5", "mm"], ["P", "mm"], ["1' 6\" x", "in"]]) {
     assert.ok("problem" in quantity(text, unit), text);
   }
 });
@@ -72,6 +76,15 @@ test("an address is for people to read", () => {
 
 test("what is no state is none", () => {
   for (const hash of ["", "#", "#?a=1", "#spur?=1", "#spur?teeth", "#spur?a=%zz", "#spur?a=[1"]) assert.equal(stateOf(hash), null, hash);
+});
+
+test("numbers beyond range are refused in words", () => {
+  for (const entry of ["module=1e400", "~density=1e400", "~about=1e400,0,0", "teeth=16,-2e309", "section={\"polygon\":[[0,1e999],[1,0],[1,1]]}"]) {
+    assert.equal(stateOf(`#spur?a=1&${entry}`), null, entry);
+    assert.match(faultOf(`#spur?a=1&${entry}`), /beyond all range: \d/, entry);
+  }
+  assert.match(faultOf("#spur?a=%zz"), /no design/);
+  assert.equal(stateOf("#spur?a=1e300").design.a, 1e300);
 });
 
 test("what was undone is done again, until something else is done", () => {
@@ -117,6 +130,20 @@ test("a kind like the last one takes over what they share", () => {
   assert.deepEqual(startOf(kind("sweep"), kind("spur pair"), design), kind("sweep").start);
 });
 
+test("a body that fits the example's teeth does not come along to teeth of another size", () => {
+  const single = { ...kind("spur gear"), start: { ...kind("spur gear").start, bore: 8 } };
+  const from = (more) => startOf(single, kind("spur gear"), { element: "helical", teeth: 24, module: 2, face_width: 16, ...more });
+  assert.deepEqual(from({}), single.start);
+  assert.deepEqual(from({ module: 1 }), { element: "spur", teeth: 24, module: 1, face_width: 16 });
+  assert.deepEqual(from({ face_width: 1, length_unit: "in" }), { element: "spur", teeth: 24, module: 2, face_width: 1, length_unit: "in" });
+});
+
+test("a point of reference stays where it is in another unit", () => {
+  assert.deepEqual(aboutIn([127, 0, -2.54], "mm", "in"), [5, 0, -0.1]);
+  assert.deepEqual(aboutIn([5, 0, -0.1], "in", "mm"), [127, 0, -2.54]);
+  assert.equal(aboutIn("centroid", "mm", "in"), "centroid");
+});
+
 test("sliders stay within the limits and reach the value", () => {
   const [teeth, module, , width, angle] = kind("spur gear").parameters;
   for (const [parameter, values] of [[teeth, [3, 24, 10000]], [module, [1e-3, 3, 400]], [width, [0.1, 2e4]], [angle, [1, 20, 59]]]) {
@@ -128,6 +155,23 @@ test("sliders stay within the limits and reach the value", () => {
       if (value !== null && value > step) assert.ok(value >= least - step && value <= most, `${parameter.name} ${value}: ${least} to ${most}`);
     }
   }
+});
+
+test("a new hole lies inside its outline, clear of the others", () => {
+  const outline = [[0, 0], [40, 0], [40, 10], [10, 10], [10, 40], [0, 40]]; // an L, whose middle is outside
+  const free = ([x, y]) => x > 0 && y > 0 && x < 40 && y < 40 && (x < 10 || y < 10);
+  const holes = [];
+  for (let i = 0; i < 5; i++) {
+    const hole = holeIn(outline, holes);
+    assert.ok(hole.every(free), JSON.stringify(hole));
+    const [[x0, y0], , [x1, y1]] = hole;
+    assert.ok(x1 - x0 > 0.5 && y1 - y0 > 0.5, JSON.stringify(hole));
+    assert.ok(holes.every(([[a0, b0], , [a1, b1]]) => x1 < a0 || x0 > a1 || y1 < b0 || y0 > b1), JSON.stringify(hole));
+    holes.push(hole);
+  }
+  const clockwise = holeIn([...outline].reverse(), []);
+  assert.ok(clockwise.every(free));
+  assert.equal(holeIn([[0, 0], [1, 0], [2, 0]], []), undefined);
 });
 
 test("points are typed with commas of either sort", () => {
@@ -151,7 +195,10 @@ test("densities have units of their own", () => {
   assert.equal(density("7,85 g/cm³"), 7850);
   assert.ok(Math.abs(density("0.284 lb/in3") - 7861) < 1);
   assert.equal(density("0"), "must be greater than 0");
-  assert.match(density("1 kg/l"), /unit/);
+  assert.match(density("1 kg/foo"), /unit/);
+  for (const [typed, value] of [["7.85 g/cc", 7850], ["7.85 kg/dm^3", 7850], ["490 lb/ft³", 7849.052], ["0.5 LB/IN3", 13839.95]]) {
+    assert.ok(Math.abs(density(typed) - value) < 0.01, `${typed}: ${density(typed)}`);
+  }
 });
 
 const part = (volume, mass_unit = "kg") => ({
@@ -174,5 +221,8 @@ test("a comparison has both columns in the unit that is shown", () => {
   assert.equal(of("volume").unit, "in³");
   assert.ok(Math.abs(of("disk area").a - 2) < 1e-12 && of("disk area").unit === "in²");
   assert.equal(of("contact ratio").a, 1.6);
+  const modules = { sizes: { outer_module: { value: 4, unit: "mm", symbol: "m" }, module: { value: 0.1, unit: "in", symbol: "m" } }, properties: part(1).properties };
+  const told_ = lines(modules, modules, "in").filter(({ name }) => name.endsWith("module"));
+  assert.deepEqual(told_.map(({ a, unit }) => [Number(a.toPrecision(12)), unit]), [[4, "mm"], [2.54, "mm"]]);
   assert.ok(Math.abs(of("centroid z").a - 0.5) < 1e-12 && Math.abs(of("principal moment 3").a - 1) < 1e-12);
 });

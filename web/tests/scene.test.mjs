@@ -171,6 +171,42 @@ test("a body turns by its spin about its own axis, and slides along its own fram
   await page.close();
 });
 
+test("the cut reaches as far as a body that has slid away", async () => {
+  const bar = cog("bar", { teeth: 4, root: 10, tip: 10, width: 6 });
+  const page = await opened({ turns: 30, bodies: [{ name: "bar", shells: bar, slide: [0, 0.5, 0], place: at(0, 0, 0, 90 * DEGREE) }] });
+  await page.getByLabel("Section plane").selectOption("x");
+  const limits = () => page.getByLabel("Place of the cut").evaluate((input) => [Number(input.min), Number(input.max), input.valueAsNumber]);
+  const [least, most, place] = await limits();
+  await slide(page, "Turn of the pinion", 30); // 15 along its own y, that is -x
+  const there = await limits();
+  assert.ok([least - 15, most - 15].every((x, i) => Math.abs(there[i] - x) < 1e-6), `${there}`);
+  assert.ok(there[2] <= there[1] && there[2] <= place);
+  await slide(page, "Turn of the pinion", -30);
+  assert.ok(Math.abs((await limits())[0] - least - 15) < 1e-6, `${await limits()}`);
+  await page.close();
+});
+
+test("a speed that is typed is the one that is taken, and nought stops", async () => {
+  const page = await opened(PAIR);
+  const typed = page.getByLabel("Speed of the pinion, rpm");
+  await typed.fill("5000");
+  await typed.press("Enter");
+  assert.equal(await typed.inputValue(), "600");
+  await typed.fill("");
+  await typed.blur();
+  assert.equal(await typed.inputValue(), "600");
+  await page.getByRole("button", { name: "Run" }).click();
+  await typed.fill("0");
+  const turn = () => page.getByLabel("Turn of the pinion").evaluate((input) => input.valueAsNumber);
+  await page.waitForTimeout(60);
+  const rest = await turn();
+  await page.waitForTimeout(150);
+  assert.equal(await turn(), rest);
+  await typed.press("Enter");
+  await page.getByRole("button", { name: "Run" }).waitFor();
+  await page.close();
+});
+
 test("the pinion runs at the speed that is set, and a section and values leave it running", async () => {
   const clocked = await launched(); // a clock is that of all pages of a browser
   const page = await opened(null, { within: clocked, prepare: (page) => page.clock.install({ time: 0 }) });

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime as dt
 import re
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -17,7 +18,7 @@ from ..designs.document import built_document, plain
 from ..designs.kinds import commands, parameters_of
 from ..designs.requested import requested
 from ..designs.schema import design_schema
-from ..errors import GearwrightError, GeometryError, Problem, ProblemsError
+from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
 from ..parameters import FileName
 from ..sources import load
 from .job_names import PREFIX
@@ -43,8 +44,18 @@ def schema(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def read(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """{"design"} in a "toml" text."""
-    design = design_of(toml_table(request["toml"].encode(), "This text"), "This text")
+    """{"design"} in a "toml" text. Raises ProblemsError where it holds none, or numbers that are not finite."""
+    where = "The text"
+    try:
+        table = toml_table(request["toml"].encode(), where)
+    except FileError as error:
+        text = str(error).removeprefix(f"{where}: ")
+        place, _, words = text.partition(": ") if text.startswith("line ") else ("TOML", "", text)
+        problem = Problem(place, words)
+        raise ProblemsError("This is no design file", [problem]) from None
+    design = design_of(table)
+    if endless := [Problem(f"{name} = {value}", _ENDLESS) for name, value in table.items() if not _finite(value)]:
+        raise ProblemsError("This design cannot be read", endless)
     yield {"design": _jsonable({ELEMENT: design.kind.command, **design.values})}
 
 
@@ -69,6 +80,9 @@ def check_upload(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         else:
             with suppress(GeometryError):  # one layer of it may be sound: the design says which
                 read_drawing(path)
+    except FileError as error:
+        problem = Problem(path.name, _without(str(error).removeprefix(f"{path}: "), str(request["folder"])))
+        raise ProblemsError("This file cannot be taken", [problem]) from error
     except GearwrightError as error:
         raise _told_without(error, str(request["folder"])) from error
     yield {}
@@ -156,6 +170,20 @@ def _told_without(error: GearwrightError, folder: str) -> GearwrightError:
         return type(error)(_without(str(error), folder))
     problems = [Problem(*_without((one.subject, one.message), folder)) for one in error.problems]
     return ProblemsError(_without(error.headline, folder), problems)
+
+
+_ENDLESS = "numbers are to be finite, below 1.8e308; give one that is, or leave the parameter out"
+
+
+def _finite(value: Any) -> bool:
+    """Whether every number in a value of TOML is one, and in the range of doubles."""
+    match value:
+        case dict():
+            return all(map(_finite, value.values()))
+        case list():
+            return all(map(_finite, value))
+        case _:
+            return not isinstance(value, (int, float)) or abs(value) <= sys.float_info.max
 
 
 def _jsonable(value: Any) -> Any:

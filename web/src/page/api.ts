@@ -4,9 +4,12 @@ import type {
   Design, Document, Elements, FileJob, FileWish, Material, PlotData, Problem, Texts,
 } from "./protocol";
 
+// A problem in a line; what is about nothing in particular has no subject.
+export const lineOf = ({ subject, message }: Problem) => (subject ? `${subject}: ${message}` : message);
+
 export class ApiError extends Error {
   constructor(readonly headline: string, readonly problems: Problem[], readonly status: number) {
-    super([headline, ...problems.map((problem) => `${problem.subject}: ${problem.message}`)].join("\n"));
+    super([headline, ...problems.map(lineOf)].join("\n"));
   }
 }
 

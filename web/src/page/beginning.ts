@@ -1,6 +1,6 @@
 // What the page opens with: the design of the address, the last one, or an example.
 
-import { type State, stateOf } from "./hash";
+import { faultOf, type State, stateOf } from "./hash";
 import { kindOf } from "./kinds";
 import type { Kind } from "./protocol";
 
@@ -18,7 +18,7 @@ export function beginning(kinds: Kind[], hash: string, last: string | null, exam
   };
   const named = known(hash);
   if (named) return { state: named, again: false, note: "" };
-  const note = hash.length > 1 ? "The address holds no design that is known here." : "";
+  const note = hash.length > 1 ? faultOf(hash) : "";
   const kept = known(last ?? "");
   if (kept) return { state: kept, again: true, note: note || "Your last design is open again; Undo leads to the example." };
   return { state: example, again: false, note };

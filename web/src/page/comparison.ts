@@ -3,6 +3,7 @@
 import { inShown, partsOf, powerWord, told } from "./amounts";
 import { capital, element, words } from "./dom";
 import type { Document, LengthUnit, PartDocument } from "./protocol";
+import { isModule } from "./size_rows";
 
 export interface Line {
   part: string;
@@ -32,7 +33,8 @@ function amounts(document: Document, unit: LengthUnit): Found {
     for (const [name, size] of Object.entries(one.sizes ?? {})) {
       const power = ["", "mm", "mm^2", "mm^3"].indexOf(size.unit.replace(/^in/, "mm"));
       if (power > 0 && typeof size.value === "number") {
-        put(name, inShown(size.value, power, size.unit.startsWith("in") ? "in" : "mm", unit), powerWord(unit, power));
+        const to = isModule(name) ? "mm" : unit;
+        put(name, inShown(size.value, power, size.unit.startsWith("in") ? "in" : "mm", to), powerWord(to, power));
       } else put(name, size.value, size.unit === "deg" ? "°" : size.unit);
     }
     properties(one, unit, put);

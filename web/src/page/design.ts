@@ -1,6 +1,6 @@
 // What the form holds and the design that it makes; lengths in another unit.
 
-import type { Design, Form, Kind, LengthUnit, Parameter, Value } from "./protocol";
+import type { About, Design, Form, Kind, LengthUnit, Parameter, Value } from "./protocol";
 import { INCH, rounded } from "./form/quantity";
 
 export type Values = Record<string, Value>; // by the parameters' names; those that were not given are not there
@@ -50,6 +50,12 @@ export function inUnit(kind: Kind, values: Values, from: LengthUnit, to: LengthU
     return [name, parameter ? scaled(parameter, value, factor) : value];
   }));
   return { ...found, length_unit: to };
+}
+
+// The same point of reference beside a design in another unit.
+export function aboutIn(about: About, from: LengthUnit, to: LengthUnit): About {
+  if (from === to || !Array.isArray(about)) return about;
+  return times(about, to === "in" ? 1 / INCH : INCH) as About;
 }
 
 function scaled(parameter: Parameter, value: Value, factor: number): Value {

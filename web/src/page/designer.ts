@@ -4,15 +4,15 @@ import { partsOf, summary } from "./amounts";
 import { Announcer } from "./announcer";
 import { Address } from "./address";
 import { Ageing } from "./ageing";
-import { type Api, ApiError } from "./api";
+import { type Api, ApiError, lineOf } from "./api";
 import { Comparing } from "./comparing";
 import type { Wish } from "./connection";
 import { copying } from "./copying";
 import { beginning } from "./beginning";
-import { unitOf } from "./design";
+import { aboutIn, unitOf } from "./design";
 import { element } from "./dom";
 import { DesignForm } from "./form/form";
-import { hashOf, plain, type State, stateOf } from "./hash";
+import { faultOf, hashOf, plain, type State, stateOf } from "./hash";
 import { Header } from "./header";
 import { History } from "./history";
 import { kindOf, startOf } from "./kinds";
@@ -94,7 +94,7 @@ export class Designer {
       refused: (headline, problems) => {
         this.form.refuse(headline, problems);
         this.standing.mark();
-        this.announcer.say([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join(". "));
+        this.announcer.say([headline, ...problems.map(lineOf)].join(". "));
       },
       link: (link) => {
         this.header.linked(link);
@@ -157,7 +157,16 @@ export class Designer {
       this.standing.mark();
       return;
     }
-    this.change({ design });
+    const state = this.with(design);
+    const moved = state.about !== this.state.about;
+    this.change(state);
+    if (moved) this.weighing.set(state, this.kind.origin);
+    else this.weighing.units();
+  }
+
+  // Another design in the state; a point of reference stays where it is, whatever lengths are counted in.
+  private with(design: Design): State {
+    return { ...this.state, design, about: aboutIn(this.state.about, unitOf(this.state.design), unitOf(design)) };
   }
 
   private change(part: Partial<State>): void {
@@ -172,7 +181,7 @@ export class Designer {
     this.settle();
     this.seen.set(this.kind.name, this.state.design);
     const design = this.seen.get(kind.name) ?? startOf(kind, this.kind, this.state.design);
-    this.go({ ...this.state, design }, "push");
+    this.go(this.with(design), "push");
     this.settle();
   }
 
@@ -284,13 +293,13 @@ export class Designer {
   private async open(file: File): Promise<void> {
     try {
       const design = await this.api.read(await file.text());
-      if (!kindOf(this.elements.kinds, design)) throw new ApiError(`${file.name} holds no element that is known here`, [], 0);
+      if (!kindOf(this.elements.kinds, design)) throw new ApiError("It holds no element that is known here", [], 0);
       this.settle();
-      const shown = this.go({ ...this.state, design });
+      const shown = this.go(this.with(design));
       this.settle();
       if (shown) this.announcer.note(`${file.name} is open.`);
     } catch (error) {
-      this.announcer.note(error instanceof ApiError ? error.message : `${file.name} could not be read`, 20_000);
+      this.announcer.note(error instanceof ApiError ? `${file.name}: ${error.message}` : `${file.name} could not be read`, 20_000);
     }
   }
 
@@ -323,7 +332,7 @@ export class Designer {
   private addressed(): void {
     const state = stateOf(location.hash);
     if (!state || !kindOf(this.elements.kinds, state.design)) {
-      this.announcer.note("The address holds no design that is known here.");
+      this.announcer.note(faultOf(location.hash));
       return;
     }
     if (hashOf(state) === hashOf(this.state)) return;

@@ -1,6 +1,6 @@
 // One file that the server makes: how far it is, how it is cancelled, and that it comes by itself when it is done.
 
-import { type Api, ApiError } from "./api";
+import { type Api, ApiError, lineOf } from "./api";
 import { button, element } from "./dom";
 import type { FileJob, FileWish, Problem } from "./protocol";
 import { fetched } from "./saving";
@@ -71,7 +71,7 @@ export class Job {
   }
 
   private failed(headline: string, problems: Problem[]): void {
-    this.end([headline, ...problems.map((one) => `${one.subject}: ${one.message}`)].join("\n"));
+    this.end([headline, ...problems.map(lineOf)].join("\n"));
     this.stage.classList.add("problem");
   }
 

@@ -60,6 +60,13 @@ export const sameWish = (a: Wish, b: Wish): boolean => hashOf({ ...plain(a.desig
 const isPoint = (value: Value): value is [number, number, number] =>
   Array.isArray(value) && value.length === 3 && value.every((x) => typeof x === "number");
 
+// Why an address is not shown, in words.
+export function faultOf(hash: string): string {
+  const beyond = /[=,[:+-](\d+(?:\.\d+)?(?:e[+-]?\d+)?)(?![\d.e])/gi;
+  const number = [...hash.matchAll(beyond)].map(([, text]) => text!).find((text) => !Number.isFinite(Number(text)));
+  return number ? `The address holds a number beyond all range: ${number}.` : "The address holds no design that is known here.";
+}
+
 const NUMBER = /^-?\d+(\.\d+)?(e[+-]?\d+)?$/i;
 
 // A number or a word as it is, numbers with commas, all else as JSON.
@@ -84,13 +91,20 @@ function simple(value: Value): string | null {
 }
 
 function valueOf(text: string): Value {
-  if (NUMBER.test(text)) return Number(text);
-  if (/^[[{"]|^(true|false|null)$/.test(text)) return JSON.parse(text) as Value;
+  if (NUMBER.test(text)) return finite(Number(text));
+  if (/^[[{"]|^(true|false|null)$/.test(text)) return finite(JSON.parse(text) as Value);
   const parts = text.split(",");
   if (parts.length > 1 && parts.every((part) => part === "none" || NUMBER.test(part))) {
-    return parts.map((part) => (part === "none" ? null : Number(part)));
+    return parts.map((part) => (part === "none" ? null : finite(Number(part))));
   }
   return text;
+}
+
+// Throws where a number in it is beyond all range.
+function finite<T extends Value>(value: T): T {
+  if (typeof value === "number" && !Number.isFinite(value)) throw new RangeError("beyond all range");
+  if (typeof value === "object" && value !== null) Object.values(value).forEach((one) => finite(one));
+  return value;
 }
 
 const same = (a: Value, b: Value) => JSON.stringify(a) === JSON.stringify(b);

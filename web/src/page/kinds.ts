@@ -1,5 +1,6 @@
 // Which kind of element a design is of, and what it is called.
 
+import { inUnit, unitOf, type Values } from "./design";
 import type { Design, Kind } from "./protocol";
 
 // As the server chooses: a pair where two numbers of teeth are given.
@@ -28,12 +29,23 @@ const SHARED = ["teeth", "module", "diametral_pitch", "face_width", "pressure_an
 
 // What to start with: the kind's example, with what the design before it has in common where the kinds are alike.
 export function startOf(kind: Kind, before: Kind | null, design: Design | null): Design {
-  const start = { ...kind.start };
-  if (!before || !design || before.members !== kind.members) return start;
-  if (!ALIKE.includes(kind.command) || !ALIKE.includes(before.command)) return start;
+  const own = { ...kind.start };
+  if (!before || !design || before.members !== kind.members) return own;
+  if (!ALIKE.includes(kind.command) || !ALIKE.includes(before.command)) return own;
+  const kept = inUnit(kind, withoutBody(kind, design), unitOf(kind.start), unitOf(design));
   for (const name of SHARED) {
-    if (name in design) start[name] = design[name]!;
-    else delete start[name];
+    if (name in design) kept[name] = design[name]!;
+    else delete kept[name];
   }
-  return start;
+  return { ...kept, element: kind.command };
+}
+
+// The kind's example; of teeth of another size, without the lengths that it can do without, since they fit its own.
+function withoutBody(kind: Kind, design: Design): Values {
+  const same = SHARED.every((name) => JSON.stringify(kind.start[name]) === JSON.stringify(design[name]));
+  const fits = (name: string) => {
+    const parameter = kind.parameters.find((one) => one.name === name);
+    return same || parameter?.unit !== "length" || parameter.required || SHARED.includes(name);
+  };
+  return Object.fromEntries(Object.entries(kind.start).filter(([name]) => fits(name)));
 }

@@ -30,6 +30,7 @@ class Outputs {
   private readonly apart = element("input", { type: "checkbox" });
   private readonly unplaced = element("input", { type: "checkbox" });
   private readonly fields: Record<"tolerance" | "clearance" | "schema" | "paper" | "apart" | "unplaced", HTMLElement>;
+  private readonly lengths = [element("span", { class: "unit" }), element("span", { class: "unit" })];
   private readonly wrong = element("p", { class: "problem", role: "status", id: unique("file-problem") });
   private readonly weightless: HTMLElement;
   private readonly jobs = element("ul", { class: "jobs", "aria-label": "Files" });
@@ -39,7 +40,7 @@ class Outputs {
 
   constructor(host: HTMLElement, private readonly api: Api) {
     this.fields = {
-      tolerance: field("Chord tolerance", this.tolerance), clearance: field("Clearance for printing", this.clearance),
+      tolerance: field("Chord tolerance", this.tolerance, this.lengths[0]), clearance: field("Clearance for printing", this.clearance, this.lengths[1]),
       schema: field("STEP schema", this.schema), paper: field("Paper", this.paper),
       apart: element("label", { class: "whether" }, this.apart, "Members in files of their own (zip)"),
       unplaced: element("label", { class: "whether" }, this.unplaced, "Each in its own frame, not in mesh"),
@@ -77,6 +78,7 @@ class Outputs {
   design(design: Design, weights: Weights): void {
     this.wanted = design;
     this.weights = weights;
+    for (const unit of this.lengths) unit.textContent = unitOf(design);
     this.arrange();
   }
 
@@ -152,5 +154,5 @@ const valueOf = (one: FileFormat) => `${one.what} ${one.suffix}`;
 const typed = (name: string, placeholder: string) =>
   element("input", { type: "text", id: unique(name), autocomplete: "off", placeholder });
 
-const field = (text: string, input: HTMLElement) =>
-  element("div", { class: "field" }, element("label", { for: input.id }, text), input);
+const field = (text: string, input: HTMLElement, unit: HTMLElement | null = null) =>
+  element("div", { class: "field" }, element("div", { class: "title" }, element("label", { for: input.id }, text), unit), input);

@@ -15,9 +15,13 @@ export interface Watcher {
   note(text: string): void;
 }
 
-const OLD = { refused: "Shown: the last design that can be built.", lost: "Shown: the last design that the server has answered." };
+const OLD = {
+  refused: "Shown: the last design that can be built.", lost: "Shown: the last design that the server has answered.",
+  undrawn: "Shown: an earlier design. This one can be computed, but not drawn.",
+};
 const NONE = {
   refused: "Nothing to show yet: the design cannot be built as it is.", lost: "Nothing to show yet: the server does not answer.",
+  undrawn: "This design can be computed, but not drawn.",
 };
 const GRACE = 250; // ms for which marks of the design before stay, else they would flicker under a slider
 
@@ -85,7 +89,7 @@ export class Pane {
   }
 
   // What is shown is not what the form says.
-  stale(why: "refused" | "lost" = "refused"): void {
+  stale(why: keyof typeof OLD = "refused"): void {
     this.old.hidden = !this.showing;
     this.old.textContent = OLD[why];
     this.waiting.hidden = this.showing;
@@ -164,6 +168,11 @@ export class Pane {
       case "failed":
         this.stale();
         this.watcher.refused(answer.text, []);
+        break;
+      case "undrawn":
+        this.watcher.built();
+        this.stale("undrawn");
+        this.watcher.note(answer.text);
         break;
       case "note":
         this.watcher.note(answer.text);

@@ -149,11 +149,12 @@ export interface OverlaysAnswer {
 export interface DoneAnswer { answer: "done"; id: number; seconds: number }
 export interface RefusedAnswer { answer: "refused"; id: number; headline: string; problems: Problem[] }
 export interface FailedAnswer { answer: "failed"; id: number; text: string }
+export interface UndrawnAnswer { answer: "undrawn"; id: number; text: string } // values come all the same
 export interface NoteAnswer { answer: "note"; text: string }
 
 export type Answer =
   | StageAnswer | ValuesAnswer | ApproximationAnswer | OverlaysAnswer
-  | DoneAnswer | RefusedAnswer | FailedAnswer | NoteAnswer;
+  | DoneAnswer | RefusedAnswer | FailedAnswer | UndrawnAnswer | NoteAnswer;
 
 export interface PlotData {
   title: string;

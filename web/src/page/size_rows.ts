@@ -15,11 +15,15 @@ const DECIMALS: Record<string, number> = { mm: 3, "mm²": 2, in: 4, "in²": 4, "
 // A size in the unit that is shown; modules stay in mm and pitches per inch, as everybody names them.
 export function shownSize(size: Size, unit: LengthUnit, ofModule = false): ShownSize {
   const [, length, power = ""] = /^(mm|in)(\^\d)?$/.exec(size.unit) ?? [];
+  if (ofModule && length === "in" && typeof size.value === "number") return { value: inShown(size.value, 1, "in", "mm"), unit: "mm" };
   if (!length || ofModule) return { value: size.value, unit: WORDS[size.unit] ?? size.unit };
   const exponent = POWERS[power] ?? 1;
   const value = typeof size.value === "number" ? inShown(size.value, exponent, length as LengthUnit, unit) : size.value;
   return { value, unit: unit + ["", "", "²", "³", "⁴", "⁵"][exponent]! };
 }
+
+// Whether a size is a module, which is told in mm whatever lengths are told in.
+export const isModule = (name: string) => /(^|_)module$/.test(name);
 
 // A value to at least four digits that count, and to a fixed place where that is more.
 export function toldSize({ value, unit }: ShownSize): string {

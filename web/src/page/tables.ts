@@ -4,7 +4,7 @@ import { partsOf } from "./amounts";
 import { capital, element, symbol, words } from "./dom";
 import { massTable } from "./mass_table";
 import type { About, ApproximationAnswer, LengthUnit, PartDocument, Size, ValuesAnswer } from "./protocol";
-import { shownSize, toldSize } from "./size_rows";
+import { isModule, shownSize, toldSize } from "./size_rows";
 import "./data.css";
 
 type Sizes = Record<string, Size>;
@@ -54,8 +54,7 @@ function sizesTable(title: string, columns: [name: string, sizes: Sizes][], unit
 function sizeRow(name: string, columns: [string, Sizes][], unit: LengthUnit): HTMLElement {
   const found = columns.map(([, sizes]) => sizes[name]);
   const first = found.find((size) => size !== undefined)!;
-  const ofModule = /(^|_)module$/.test(name) && first.unit === "mm";
-  const shown = found.map((size) => (size ? shownSize(size, unit, ofModule) : null));
+  const shown = found.map((size) => (size ? shownSize(size, unit, isModule(name)) : null));
   const cells = shown.map((size, i) => {
     const cell = element("td", {}, size ? toldSize(size) : "");
     if (size && typeof size.value === "number") cell.title = `${found[i]!.value} ${found[i]!.unit}`.trim();

@@ -10,13 +10,17 @@ export interface Weight {
   about: About;
 }
 
-const UNITS: Record<string, number> = { "kg/m³": 1, "kg/m3": 1, "g/cm³": 1000, "g/cm3": 1000, "lb/in³": 27679.9047102031, "lb/in3": 27679.9047102031 };
+const POUND = 0.45359237; // kg
+const [IN3, FT3] = [0.0254 ** 3, 0.3048 ** 3]; // m³
+const UNITS: Record<string, number> = {
+  "kg/m3": 1, "g/cm3": 1000, "g/cc": 1000, "g/ml": 1000, "kg/dm3": 1000, "kg/l": 1000, "lb/in3": POUND / IN3, "lb/ft3": POUND / FT3,
+};
 
 // kg/m³ of what was typed; a text that says what is wrong with it
 export function density(typed: string): number | string {
   const [, number = "", unit = ""] = /^(.*?)\s*((?:kg|g|lb)\s*\/.*)?$/i.exec(typed.trim()) ?? [];
-  const factor = unit ? UNITS[unit.replaceAll(" ", "").toLowerCase()] : 1;
-  if (!factor) return `${unit} is no unit of density; kg/m³, g/cm³ and lb/in³ are`;
+  const factor = unit ? UNITS[unit.replaceAll(" ", "").replace(/³|\^3/, "3").toLowerCase()] : 1;
+  if (!factor) return `${unit} is no unit of density; kg/m³, g/cm³, kg/dm³, lb/in³ and lb/ft³ are`;
   const found = quantity(number, "");
   if ("problem" in found) return found.problem;
   return found.value > 0 ? Number((found.value * factor).toPrecision(12)) : "must be greater than 0";
@@ -32,6 +36,7 @@ export class Weighing {
   private readonly coordinates = ["x", "y", "z"].map((axis) =>
     element("input", { type: "text", autocomplete: "off", "aria-label": `${axis} of the point`, placeholder: axis }));
   private readonly typed: HTMLElement;
+  private readonly lengths = element("span", { class: "unit" });
   private readonly point: HTMLElement;
   private readonly wrong = element("p", { class: "problem", id: unique("weight-problem") });
   private readonly origin = element("p", { class: "hint" });
@@ -44,7 +49,9 @@ export class Weighing {
     this.typed = element("div", { class: "field" },
       element("div", { class: "title" }, element("label", { for: this.density.id }, "Density ", element("i", {}, "ρ")),
         element("span", { class: "unit" }, "kg/m³")), this.density);
-    this.point = element("div", { class: "point", role: "group", "aria-label": "Point of reference" }, ...this.coordinates);
+    const units = element("div", { class: "title" }, element("span", {}, "Point"), this.lengths);
+    this.point = element("div", { class: "field" }, units,
+      element("div", { class: "point", role: "group", "aria-label": "Point of reference" }, ...this.coordinates));
     this.element = element("div", { class: "weighing" },
       element("div", { class: "field" }, element("label", { for: this.material.id }, "Material"), this.material), this.typed,
       element("div", { class: "field" }, element("label", { for: this.about.id }, "Inertia about"), this.about), this.point,
@@ -70,31 +77,45 @@ export class Weighing {
     this.arrange();
   }
 
+  // The unit that a point is typed in.
+  units(): void {
+    this.lengths.textContent = this.unit();
+  }
+
   private arrange(): void {
+    this.units();
     this.typed.hidden = this.material.value !== TYPED;
     this.point.hidden = this.about.value !== "point";
     this.tell("", []);
   }
 
+  // A field that holds no value leaves the last one in force, and says so; the others count all the same.
   private take(): void {
     this.arrange();
-    const given: Weight = { density: null, material: null, about: null };
-    if (this.material.value === TYPED) {
-      const found = density(this.density.value);
-      if (typeof found === "string") {
-        if (this.density.value.trim()) this.tell(found, [this.density]);
-        return;
-      }
-      given.density = found;
-    } else given.material = this.material.value || null;
-    if (this.about.value === "point") {
-      const found = this.coordinates.map((input) => quantity(input.value || "0", this.unit()));
-      const bad = found.findIndex((one) => "problem" in one);
-      if (bad >= 0) return this.tell((found[bad] as { problem: string }).problem, [this.coordinates[bad]!]);
-      given.about = found.map((one) => ("value" in one ? one.value : 0)) as Point;
-    } else if (this.about.value) given.about = "centroid";
-    this.weight = given;
-    this.changed(given);
+    const { material, density, wrong } = this.matter();
+    const point = this.reference();
+    this.weight = { density, material, about: point.about };
+    if (wrong) this.tell(wrong, [this.density]);
+    else if (point.wrong) this.tell(point.wrong, [point.at!]);
+    this.changed(this.weight);
+  }
+
+  private matter(): { density: number | null; material: string | null; wrong?: string } {
+    if (this.material.value !== TYPED) return { density: null, material: this.material.value || null };
+    const found = this.density.value.trim() ? density(this.density.value) : "a density is needed";
+    if (typeof found === "number") return { density: found, material: null };
+    const { density: last, material } = this.weight;
+    const of = last !== null ? `${shown(last)} kg/m³` : material ?? "density 1";
+    return { density: last, material, wrong: `${found}; the masses are still those of ${of}` };
+  }
+
+  private reference(): { about: About; wrong?: string; at?: HTMLElement } {
+    if (this.about.value !== "point") return { about: this.about.value === "centroid" ? "centroid" : null };
+    const found = this.coordinates.map((input) => quantity(input.value || "0", this.unit()));
+    const bad = found.findIndex((one) => "problem" in one);
+    if (bad < 0) return { about: found.map((one) => ("value" in one ? one.value : 0)) as Point };
+    const { about } = this.weight;
+    return { about, wrong: (found[bad] as { problem: string }).problem, at: this.coordinates[bad]! };
   }
 
   private tell(text: string, at: HTMLElement[]): void {

@@ -19,6 +19,7 @@ export class Body {
   private readonly counters: three.Mesh[];
   private readonly cap: three.Mesh<three.PlaneGeometry, three.ShaderMaterial>;
   private readonly place = new three.Matrix4();
+  private turn = 0; // degrees
 
   constructor(readonly index: number, drawnBy: Graphics) {
     this.surface = metal(drawnBy);
@@ -62,12 +63,24 @@ export class Body {
 
   // Puts the body where it is at a turn (degrees): its place · the slide · the spin about its own z.
   turnTo(turn: number): void {
+    this.turn = turn;
     const { spin, slide } = this.solid;
     this.placed.matrix
       .copy(this.place)
       .multiply(new three.Matrix4().makeTranslation(slide[0] * turn, slide[1] * turn, slide[2] * turn))
       .multiply(new three.Matrix4().makeRotationZ(spin * turn * DEGREE));
     this.placed.matrixWorldNeedsUpdate = true;
+  }
+
+  get slides(): boolean {
+    return this.solid.slide.some((x) => x !== 0);
+  }
+
+  // Widens a box, of the scene's own frame, by that of the body where it has slid to.
+  extend(box: three.Box3): void {
+    const { slide, least, most } = this.solid;
+    const by = new three.Vector3(...slide).multiplyScalar(this.turn).applyMatrix3(new three.Matrix3().setFromMatrix4(this.place));
+    for (const corner of [least, most]) box.expandByPoint(new three.Vector3(...corner).add(by));
   }
 
   // Leaves out what lies beyond a plane; null shows all. An open surface has no inside to be hatched.

@@ -94,9 +94,7 @@ export class ModelView {
     this.frame = frame;
     this.kind = kind;
     this.take(frame, stage.radius);
-    this.section.contain(box, this.middle);
     this.contact.group.position.copy(this.middle).negate();
-    this.cutting?.refresh();
     this.caption.textContent = frame.title;
     this.canvas.setAttribute("aria-label", `${this.options.label ? `${this.options.label}: ` : ""}${frame.title}. ${KEYS}`);
     this.root.dataset.triangles = `${frame.triangles}`;
@@ -104,6 +102,8 @@ export class ModelView {
     if (frame.turns === null) this.running.stop();
     this.running.limit(frame.turns ?? 180);
     this.running.set(frame.turns === null ? 0 : this.running.value());
+    this.contain();
+    this.cutting?.refresh();
     this.setUnit(this.wanted);
     if (refit) {
       this.fitted = radius;
@@ -176,7 +176,10 @@ export class ModelView {
   private furnish(stage: Stage): [SectionRow, ViewPanel] {
     const cutting = new SectionRow(stage, this.section, (place) => this.cut(place), "mm");
     const look = (towards?: three.Vector3) => stage.look(this.bodies, towards);
-    const speed = speedRow(RPM, (rpm) => (this.running.rate = 6 * rpm));
+    const speed = speedRow(RPM, (rpm, settled) => {
+      this.running.rate = 6 * rpm;
+      if (settled && rpm === 0) this.running.stop();
+    });
     const panel = new ViewPanel(this.choices, {
       look: (axis) => look(axis === null ? undefined : direction(axis, false, stage.camera.up)),
       drawn: () => this.dress(),
@@ -261,6 +264,13 @@ export class ModelView {
     this.stage.draw();
   }
 
+  // The cut reaches as far as the bodies do where they are now.
+  private contain(): void {
+    const box = new three.Box3();
+    for (const body of this.bodies) body.extend(box);
+    this.section.contain(box, this.middle);
+  }
+
   private cut(place: number): void {
     const before = this.bodies[0]?.cutting ?? null;
     this.section.cut(this.bodies, place);
@@ -270,6 +280,10 @@ export class ModelView {
 
   private turnTo(degrees: number): void {
     for (const body of this.bodies) body.turnTo(degrees);
+    if (this.bodies.some((body) => body.slides)) {
+      this.contain();
+      if (this.section.axis) this.cutting?.refresh();
+    }
     this.contact.at(degrees, this.choices.contact && !this.old.overlays);
     this.stage?.draw();
   }

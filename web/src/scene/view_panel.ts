@@ -24,6 +24,7 @@ export interface Actions {
 
 const KINDS = ["pitch", "base", "tip", "root", "face"];
 const MOST_RPM = 60;
+const FASTEST = 600;
 
 export class ViewPanel {
   readonly views: HTMLElement;
@@ -102,20 +103,26 @@ export class ViewPanel {
   }
 }
 
-// Revolutions a minute of the pinion, typed or by feel.
-export function speedRow(first: number, changed: (rpm: number) => void): HTMLElement {
+// Revolutions a minute of the pinion, typed or by feel. settled: whether the field was left, and shows what is taken
+export function speedRow(first: number, changed: (rpm: number, settled: boolean) => void): HTMLElement {
   const typed = element("input", {
-    type: "number", min: "0.1", max: "600", step: "any", value: `${first}`, "aria-label": "Speed of the pinion, rpm",
+    type: "number", min: "0", max: `${FASTEST}`, step: "any", value: `${first}`, "aria-label": "Speed of the pinion, rpm",
   });
   const felt = element("input", {
     type: "range", min: "0.5", max: `${MOST_RPM}`, step: "0.5", value: `${first}`, "aria-label": "Speed of the pinion by feel, rpm",
   });
+  let taken = first;
   const take = (from: HTMLInputElement, other: HTMLInputElement) => {
-    if (!(from.valueAsNumber > 0)) return;
-    other.value = from.value;
-    changed(Math.min(from.valueAsNumber, 600));
+    if (Number.isNaN(from.valueAsNumber)) return;
+    taken = Math.min(Math.max(from.valueAsNumber, 0), FASTEST);
+    other.value = `${taken}`;
+    changed(taken, false);
   };
   typed.addEventListener("input", () => take(typed, felt));
+  typed.addEventListener("change", () => {
+    typed.value = `${taken}`;
+    changed(taken, true);
+  });
   felt.addEventListener("input", () => take(felt, typed));
   return element("div", { class: "row" }, element("span", { class: "name" }, "speed"),
     element("span", { class: "slider" }, felt), typed, "rpm");

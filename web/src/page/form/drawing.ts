@@ -1,6 +1,7 @@
 // A closed outline in a plane: points are put, pulled and removed by mouse, touch or keys.
 
 import { element, unique } from "../dom";
+import { distance } from "./inside";
 import { shown } from "./quantity";
 
 type XY = [number, number];
@@ -45,6 +46,11 @@ export class Drawing {
     const span = Math.max(most[0] - least[0], most[1] - least[1]) || 20;
     this.middle = [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2];
     this.scale = (SIDE - 2 * MARGIN) / span;
+  }
+
+  // Whether a point has left the drawing.
+  private outside(index: number): boolean {
+    return this.at(this.points[index]!).some((place) => place < 0 || place > SIDE);
   }
 
   private at([x, y]: XY): XY {
@@ -114,6 +120,10 @@ export class Drawing {
     if (way) {
       const step = this.step * (event.shiftKey ? 10 : 1);
       this.put(index, [this.snapped(x + step * way[0]), this.snapped(y + step * way[1])]);
+      if (this.outside(index)) {
+        this.fit();
+        this.draw();
+      }
     } else if (event.key === "Delete" || event.key === "Backspace") {
       this.points.splice(index, 1);
       this.changed(this.points);
@@ -157,10 +167,4 @@ function shape(tag: string, attributes: Record<string, string>): SVGElement {
   const made = document.createElementNS(NS, tag);
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   return made as SVGElement;
-}
-
-function distance([x, y]: XY, [ax, ay]: XY, [bx, by]: XY): number {
-  const [dx, dy] = [bx - ax, by - ay];
-  const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
 }

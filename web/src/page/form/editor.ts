@@ -8,6 +8,7 @@ export interface Context {
   members: [string, string]; // what the members of a pair are called
   unit(): LengthUnit; // of the design's lengths
   scale(): number; // the size of the design, in that unit
+  outline?(): Value | undefined; // that of the section which is being edited
   put(values: Record<string, Value | undefined>): void; // sets other parameters
   problem(): void; // tells the form that a field has another problem than before
 }

@@ -2,7 +2,7 @@
 
 import type { Api } from "../api";
 import { applies, designOf, inUnit, unitOf, type Values, valuesOf } from "../design";
-import { element } from "../dom";
+import { button, element, words } from "../dom";
 import { memberNames } from "../kinds";
 import type { Design, Kind, Parameter, Problem, Value } from "../protocol";
 import type { Context } from "./editor";
@@ -51,9 +51,18 @@ export class DesignForm {
       if (own.length) field.element.closest("details")?.setAttribute("open", "");
     }
     const others = problems.filter((problem) => problem.parameter === null || !known.has(problem.parameter));
-    const lines = others.map((problem) => element("li", {}, problem.subject ? `${problem.subject}: ` : "", problem.message));
+    const lines = others.map((problem) =>
+      element("li", {}, problem.subject ? `${problem.subject}: ` : "", problem.message, this.removal(problem, known)));
     const told = headline && (lines.length > 0 || problems.length === 0); // else it is all at the fields
     this.top.replaceChildren(...(told ? [element("p", {}, headline), ...(lines.length ? [element("ul", {}, ...lines)] : [])] : []));
+  }
+
+  // What a field that is shown does not hold can only be left out.
+  private removal(problem: Problem, known: Set<string>): HTMLElement | null {
+    const names = Object.keys(this.values).filter((name) => !known.has(name));
+    const name = names.find((one) => problem.parameter === one || problem.subject === one || problem.subject.startsWith(`${one} = `));
+    return name === undefined ? null
+      : button("leave it out", () => this.put({ [name]: undefined }), `Leave out ${words(name)}`, "removal");
   }
 
   // Problems that keep the form from being a design at all.

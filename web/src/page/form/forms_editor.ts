@@ -6,6 +6,7 @@ import type { Form, Parameter, Value } from "../protocol";
 import type { Changed, Context, Editor } from "./editor";
 import { fileEditor } from "./file_editor";
 import type { Naming } from "./number_editor";
+import { holeIn, isOutline } from "./inside";
 import { pointsEditor } from "./points_editor";
 import { numbersEditor, textEditor } from "./text_editor";
 
@@ -65,9 +66,11 @@ function tableEditor(
   form: Form & { form: "table" }, naming: Naming, context: Context, changed: Changed, make: Make,
 ): Editor {
   let values: Values = {};
+  const drawn = form.entries.find((entry) => entry.required && entry.forms.some((one) => one.form === "points"));
+  const inner: Context = { ...context, outline: () => (drawn ? values[drawn.name] : undefined) };
   const entries = form.entries.map((entry) => {
     const id = unique(entry.name);
-    const editor = make(entry, { id, label: `${naming.label}, ${words(entry.name)}` }, context, (value) => {
+    const editor = make(entry, { id, label: `${naming.label}, ${words(entry.name)}` }, inner, (value) => {
       values = { ...values };
       if (value === undefined) delete values[entry.name];
       else values[entry.name] = value;
@@ -116,7 +119,8 @@ function severalEditor(
     }));
   };
   add.addEventListener("click", () => {
-    values.push(exampleOf(form.of, 0.3 * context.scale()));
+    const [outline, others] = [context.outline?.(), values.filter(isOutline)];
+    values.push((isOutline(outline) ? holeIn(outline, others) : undefined) ?? exampleOf(form.of, 0.3 * context.scale()));
     show();
     tell();
   });

@@ -10,7 +10,8 @@ type Make = (naming: Naming, changed: Changed, component?: number) => Editor;
 // Always one for each.
 export function eachEditor(parameter: Parameter, naming: Naming, context: Context, make: Make, changed: Changed): Editor {
   const given: (Value | undefined)[] = [undefined, undefined];
-  const tell = () => changed(given.every((one) => one === undefined) ? undefined : given.map((one) => one ?? parameter.default));
+  const pairs = parameter.members === "each"; // then two empty places still say that there are two members
+  const tell = () => changed(!pairs && given.every((one) => one === undefined) ? undefined : given.map((one) => one ?? parameter.default));
   const editors = context.members.map((member, index) =>
     make({ ...(index === 0 && naming.id ? { id: naming.id } : {}), label: `${naming.label}, ${member}` }, (value) => {
       given[index] = value;

@@ -6,6 +6,9 @@ import type { Changed, Context, Editor } from "./editor";
 import { quantity, shown, type Wanted } from "./quantity";
 import { range } from "./ranges";
 
+const TOOTH = ["module", "diametral_pitch"]; // either may be typed in the other's field
+const SIZES = [...TOOTH, "transverse_module"]; // of a tooth: one of them is given
+
 export interface Naming {
   id?: string; // of the input, where a label elsewhere names it
   label: string;
@@ -24,6 +27,7 @@ class NumberEditor implements Editor {
   private value: number | null = null;
   private wrong: string | null = null;
   private held = false; // the slider is in hand: its range stays
+  private lent = false; // what is being typed is another parameter's value, and stays until the field is left
 
   constructor(
     private readonly parameter: Parameter, naming: Naming, private readonly context: Context, private readonly changed: Changed,
@@ -48,7 +52,8 @@ class NumberEditor implements Editor {
     const number = typeof value === "number" ? value : null;
     const fits = number === this.value && (number !== null || this.text.value === "") && this.wrong === null;
     this.value = number;
-    if (!fits) {
+    if (!fits && !(this.lent && number === null)) {
+      this.lent = false;
       this.wrong = null;
       this.text.value = number === null ? "" : shown(number);
       this.reading.textContent = "";
@@ -67,7 +72,7 @@ class NumberEditor implements Editor {
 
   private typed(): void {
     const before = this.wrong;
-    const found = this.text.value.trim() ? quantity(this.text.value, this.wanted()) : null;
+    const found = this.text.value.trim() ? quantity(this.text.value, this.wanted(), TOOTH.includes(this.parameter.name)) : null;
     this.wrong = found && "problem" in found ? found.problem : null;
     this.reading.textContent = "";
     if (!found) this.give(null);
@@ -84,25 +89,29 @@ class NumberEditor implements Editor {
   private hand(other: string, value: number): void {
     this.reading.textContent = `= ${words(other)} ${shown(value)} ${other === "module" ? "mm" : "per inch"}`;
     this.value = null;
-    const all = ["module", "diametral_pitch", "transverse_module"];
-    this.context.put({ ...Object.fromEntries(all.map((name) => [name, undefined])), [other]: value });
+    this.lent = true;
+    this.context.put({ ...Object.fromEntries(SIZES.map((name) => [name, undefined])), [other]: value });
   }
 
   private give(value: number | null): void {
     this.value = value;
     this.reach();
-    this.changed(value ?? undefined);
+    if (!this.lent) return this.changed(value ?? undefined);
+    this.lent = false; // the other one gives way again
+    this.context.put({ ...Object.fromEntries(SIZES.map((name) => [name, undefined])), [this.parameter.name]: value ?? undefined });
   }
 
   // Once it is left, a field shows its value.
   private tidy(): void {
     if (this.wrong !== null) return;
+    this.lent = false;
     this.text.value = this.value === null ? "" : shown(this.value);
     this.reading.textContent = "";
   }
 
   private slid(): void {
     this.held = true;
+    this.lent = false;
     const value = Number(this.slider.valueAsNumber.toPrecision(10));
     this.wrong = null;
     this.text.value = shown(value);

@@ -17,23 +17,39 @@ const DEGREES: Record<string, number> = {
   deg: 1, degree: 1, degrees: 1, "°": 1, rad: 180 / Math.PI, "'": 1 / 60, "′": 1 / 60, "’": 1 / 60, min: 1 / 60,
 };
 
+const MEASURES: Record<Wanted, string> = { mm: "length", in: "length", deg: "angle", "per inch": "pitch", "": "plain number" };
+const VULGAR: Record<string, string> = { "½": "1/2", "¼": "1/4", "¾": "3/4", "⅛": "1/8", "⅜": "3/8", "⅝": "5/8", "⅞": "7/8", "⅓": "1/3", "⅔": "2/3" };
+
 const NUMBER = String.raw`\d+(?:[.,]\d*)?(?:e[+-]?\d+)?|[.,]\d+(?:e[+-]?\d+)?`;
 const FRACTION = new RegExp(String.raw`^(?:(\d+)[ -]+)?(\d+)\s*/\s*(\d+)\s*`);
 const PLAIN = new RegExp(`^(?:${NUMBER})`, "i");
 const SEXAGESIMAL = new RegExp(
   String.raw`^(\d+)\s*(?:°|deg)\s*(${NUMBER})\s*(?:['′’]|min)\s*(?:(${NUMBER})\s*(?:"|″|”|''|sec)\s*)?$`, "i",
 );
+const FEET = new RegExp(String.raw`^(${NUMBER})\s*(?:'|′|’|ft|feet|foot)\s*(?:(\d[^"″”i]*)\s*(?:"|″|”|''|in|inch|inches)?)?$`, "i");
 
-// The value of what was typed, in the wanted unit.
-export function quantity(typed: string, wanted: Wanted): Quantity {
-  const text = typed.trim().replaceAll("−", "-").replace(/[\u00a0\u202f\u2009]/g, " ");
-  const pitch = /^(?:DP|Pd|P)\s*(.+)$/i.exec(text) ?? /^(.+?)\s*(?:DP)$/i.exec(text);
-  if (pitch && wanted !== "deg") return named(pitch[1]!, "per inch", "diametral_pitch", wanted);
+// The value of what was typed, in the wanted unit. ofTooth: whether it is for a module or a pitch, which name each other
+export function quantity(typed: string, wanted: Wanted, ofTooth = false): Quantity {
+  const text = typed.trim().replaceAll("−", "-").replace(/[\u00a0\u202f\u2009]/g, " ")
+    .replace(/[½¼¾⅛⅜⅝⅞⅓⅔]/g, (sign) => ` ${VULGAR[sign]} `).trim();
+  const pitch = /^(?:DP|Pd|P)\s*=?\s*(\d.*)$/i.exec(text) ?? /^(.+?)\s*DP$/i.exec(text);
   const module = /^(?:module|m)\s*=?\s*(\d.*)$/i.exec(text);
-  if (module && (wanted === "per inch" || wanted === "mm")) return named(module[1]!, "mm", "module", wanted);
+  if (ofTooth && pitch) return named(pitch[1]!, "per inch", "diametral_pitch", wanted);
+  if (ofTooth && module) return named(module[1]!, "mm", "module", wanted);
+  if (pitch || module) return { problem: `${text} is no ${MEASURES[wanted]}; it belongs to the module or the pitch of a gear` };
   const negative = text.startsWith("-");
   const found = magnitude(text.replace(/^[+-]\s*/, ""), wanted);
   return "problem" in found || !negative ? found : { ...found, value: -found.value };
+}
+
+// Feet and inches: 1' 6", 1 ft 6 1/2 in
+function feet(text: string, wanted: LengthUnit): Quantity | null {
+  const parts = FEET.exec(text);
+  if (!parts) return null;
+  const inches = parts[2] ? quantity(parts[2], "in") : { value: 0 };
+  if ("problem" in inches) return inches;
+  const found = 12 * decimal(parts[1]!) + inches.value;
+  return { value: rounded(wanted === "in" ? found : found * INCH), bare: false };
 }
 
 function named(text: string, unit: Wanted, other: "diametral_pitch" | "module", wanted: Wanted): Quantity {
@@ -50,6 +66,8 @@ function magnitude(text: string, wanted: Wanted): Quantity {
       return { value: rounded(degrees + minutes / 60 + seconds / 3600), bare: false };
     }
   }
+  const whole = wanted === "mm" || wanted === "in" ? feet(text, wanted) : null;
+  if (whole) return whole;
   const fraction = FRACTION.exec(text);
   const plain = PLAIN.exec(text);
   const head = fraction?.[0] ?? plain?.[0];
