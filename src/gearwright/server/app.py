@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import shutil
 import tempfile
 from collections.abc import AsyncIterator, Callable
@@ -145,6 +146,12 @@ async def _busy(_: Request, error: Any) -> Response:
     return refusal(503, str(error), headers={"Retry-After": "2"})
 
 
+async def _disk(_: Request, error: Any) -> Response:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return refusal(507, "There is no space on the server's disk for this; what is forgotten there makes some.")
+    raise error
+
+
 async def _fault(_: Request, error: Any) -> Response:
     return refusal(500, f"Gearwright failed, and the fault is its own ({type(error).__name__}).")
 
@@ -156,5 +163,6 @@ _HANDLERS: Any = {
     JobFailedError: _failed,
     JobCancelledError: _busy,
     BusyError: _busy,
+    OSError: _disk,
     Exception: _fault,
 }
