@@ -54,7 +54,7 @@ class Settings:
 
 def application(settings: Settings) -> ASGIApp:
     """The whole server as an ASGI application; its workers and folders live between start-up and shutdown."""
-    folder = Path(tempfile.mkdtemp(prefix="gearwright-"))  # only its owner reads it
+    folder = Path(tempfile.mkdtemp(prefix="gearwright-")).resolve()  # only its owner reads it
     for name in ("uploads", "files"):
         (folder / name).mkdir(mode=0o700)
     quick, heavy = Pool(settings.quick, spares=1), Pool(1, warm=None)
