@@ -123,6 +123,8 @@ def test_toml_is_read_with_gaps_for_members(client):
     design = client.post("/api/read", json={"toml": toml}).json()["design"]
     assert design == {**PAIR, "bore": [8.0, None]}
     assert "line 2" in refused(client.post("/api/read", json={"toml": "a = 1\nb ="}), 422)["problems"][0]["message"]
+    for broken in ("9" * 5000, "0x" + "f" * 5000, "inf", "[" * 500 + "]" * 500):
+        refused(client.post("/api/read", json={"toml": f"{toml}pressure_angle = {broken}"}), 422)
 
 
 def test_all_that_is_wrong_with_a_design_is_told_by_parameter(client):

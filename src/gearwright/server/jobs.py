@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -44,8 +45,11 @@ def schema(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def read(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """{"design"} in a "toml" text."""
+    """{"design"} in a "toml" text. Raises ProblemsError for what JSON cannot hold, too."""
     design = design_of(toml_table(request["toml"].encode(), "This text"), "This text")
+    if endless := [name for name, value in design.values.items() if not _finite(value)]:
+        problems = [Problem(name, "a number in it is not finite, or too large") for name in endless]
+        raise ProblemsError("This text holds no design", problems)
     yield {"design": _jsonable({ELEMENT: design.kind.command, **design.values})}
 
 
@@ -147,6 +151,12 @@ def _told_without(error: GearwrightError, folders: Sequence[str]) -> GearwrightE
         return type(error)(without(str(error), folders))
     problems = [Problem(*without((one.subject, one.message), folders)) for one in error.problems]
     return ProblemsError(without(error.headline, folders), problems)
+
+
+def _finite(value: Any) -> bool:
+    if isinstance(value, dict | list):
+        return all(_finite(one) for one in (value.values() if isinstance(value, dict) else value))
+    return not isinstance(value, float) or math.isfinite(value)
 
 
 def _jsonable(value: Any) -> Any:
