@@ -49,7 +49,7 @@ def answered(address, path="api/materials"):
     return httpx.get(address.partition("?")[0] + path, timeout=30, trust_env=False)
 
 
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
     with tempfile.TemporaryDirectory(prefix="gw-") as own, serving("--port", 0, TMPDIR=own) as (process, address):
         assert answered(address).status_code == 200
@@ -71,6 +71,20 @@ def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
     while any(Path(f"/proc/{pid}").exists() and "Z" not in state(pid) for pid in workers):
         assert time.monotonic() < ends
         time.sleep(0.05)
+
+
+def test_a_closed_terminal_does_not_end_what_was_told_to_go_on():
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)  # as nohup does
+    try:
+        with serving("--port", 0) as (process, address):
+            process.send_signal(signal.SIGHUP)
+            assert answered(address).status_code == 200
+            time.sleep(0.5)
+            assert answered(address).status_code == 200
+            process.send_signal(signal.SIGTERM)
+            assert process.wait(20) == 0
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 def state(pid):

@@ -84,12 +84,12 @@ def _problem(error: OSError, host: str, port: int) -> Problem:
 
 
 def serve(at: Bound, ready: Callable[[], None]) -> None:
-    """Serves until SIGINT or SIGTERM. ready   called once requests are taken
+    """Serves until SIGINT, SIGTERM or, unless it is ignored, SIGHUP. ready   called once requests are taken
 
     Raises MachineError where it cannot start.
     """
     server = server_of(Settings(host=at.names.host, port=at.names.port, token=at.token), ready)
-    with _quiet_signals():
+    with _quiet_signals(), _hanging_up(server):
         server.run(sockets=[at.listener])
     if not server.started:
         raise MachineError("The server did not start; GEARWRIGHT_DEBUG=1 before the command shows why")
@@ -127,6 +127,20 @@ def _quiet_signals() -> Iterator[None]:
     finally:
         for one, handler in before.items():
             signal.signal(one, handler)
+
+
+@contextmanager
+def _hanging_up(server: uvicorn.Server) -> Iterator[None]:
+    """Has a terminal that is closed end the server as SIGTERM does; `nohup`, which has it ignored, is kept to."""
+    hangup: Any = getattr(signal, "SIGHUP", None)
+    if hangup is None or signal.getsignal(hangup) == signal.SIG_IGN:
+        yield
+        return
+    before = signal.signal(hangup, lambda _, frame: server.handle_exit(signal.SIGTERM, frame))
+    try:
+        yield
+    finally:
+        signal.signal(hangup, before)
 
 
 class _Server(uvicorn.Server):
