@@ -32,6 +32,7 @@ from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedEr
 from .page import FOLDER, page_files, page_reply
 from .pool import Pool
 from .replies import refusal
+from .room import MOST_BYTES, Room
 from .uploads import Uploads
 
 _NEAR, _FAR = (100.0, 300.0), (30.0, 120.0)  # requests a second, and at once, of an address
@@ -39,7 +40,12 @@ _NEAR, _FAR = (100.0, 300.0), (30.0, 120.0)  # requests a second, and at once, o
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Of a server. token   that requests must hold, None for none; page   the folder of the page's files"""
+    """Of a server.
+
+    token   that requests must hold, None for none
+    page    the folder of the page's files
+    room    bytes of all bodies under way
+    """
 
     host: str
     port: int
@@ -49,6 +55,7 @@ class Settings:
     limits: Limits = field(default_factory=Limits)
     quick: int = field(default_factory=lambda: max(2, min(cpu_count() or 2, 4)))
     rate: tuple[float, float] | None = None
+    room: int = MOST_BYTES
     abort: Callable[[WebSocket], None] = lambda _: None
 
 
@@ -87,7 +94,7 @@ def application(settings: Settings) -> ASGIApp:
     inner = Starlette(routes=_joined(routes, settings), lifespan=lifespan, exception_handlers=_HANDLERS)
     rate = settings.rate or (_NEAR if is_loopback(settings.host) else _FAR)
     names = Names(host=settings.host, port=settings.port)
-    return Guard(inner, names, settings.token, Buckets(*rate))
+    return Guard(Room(inner, settings.room), names, settings.token, Buckets(*rate))
 
 
 def _joined(routes: list[Any], settings: Settings) -> list[Any]:
