@@ -6,6 +6,7 @@ import os
 import re
 import signal
 import time
+from pathlib import Path
 
 from gearwright.errors import FileError, MachineError, ParameterError, Problem
 
@@ -105,3 +106,10 @@ def full_disk(request):
         case _:
             raise ValueError(f"{path} has no end")
     yield {}
+
+
+def write(request):
+    """A file of so many bytes as the design says."""
+    path = Path(request["folder"]) / "a.stl"
+    path.write_bytes(bytes(request["design"]["bytes"]))
+    yield {"file": str(path), "name": path.name}

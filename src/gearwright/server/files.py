@@ -19,13 +19,14 @@ from .pool import Pool
 SECONDS = 600.0
 _KEPT = 600.0  # seconds, once done
 _MOST = 50
+_MOST_BYTES = 2 << 30
 
 State = Literal["waiting", "working", "done", "failed", "cancelled"]
 
 
 @dataclass(kw_only=True, eq=False)
 class FileJob:
-    """A file that is made or is there. name, path   once it is done"""
+    """A file that is made or is there. name, path   once it is done; held   bytes on the disk, then"""
 
     id: str
     folder: Path
@@ -39,6 +40,7 @@ class FileJob:
     headline: str | None = None
     problems: list[dict[str, Any]] = field(default_factory=list)
     task: asyncio.Task[None] | None = None
+    held: int = 0
 
     @property
     def over(self) -> bool:
@@ -60,10 +62,26 @@ class FileJob:
 
 @final
 class Files:
-    """Files by their ids, in a folder that nobody else reads. source   of what writes one"""
+    """Files by their ids, in a folder that nobody else reads.
 
-    def __init__(self, folder: Path, pool: Pool, *, kept: float = _KEPT, most: int = _MOST, seconds: float = SECONDS):
-        self._folder, self._pool, self._kept, self._most, self._seconds = folder, pool, kept, most, seconds
+    kept         seconds for which one is kept
+    most         number of them, made and being made
+    most_bytes   on the disk, beyond which the oldest are forgotten; the newest stays whatever its size
+    seconds      that one may take
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        pool: Pool,
+        *,
+        kept: float = _KEPT,
+        most: int = _MOST,
+        most_bytes: int = _MOST_BYTES,
+        seconds: float = SECONDS,
+    ):
+        self._folder, self._pool, self._kept, self._seconds = folder, pool, kept, seconds
+        self._most, self._most_bytes = most, most_bytes
         self._files: OrderedDict[str, FileJob] = OrderedDict()
 
     def __getitem__(self, name: str) -> FileJob:
@@ -114,12 +132,24 @@ class Files:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
 
+    def _forget_for(self, newest: FileJob) -> None:
+        """Forgets the oldest files that are there until those that are left, with this one, are few enough bytes."""
+        done = [one for one in self._files.values() if one.state == "done" and one is not newest]
+        done.sort(key=lambda one: one.begun + (one.seconds or 0.0))
+        too_much = newest.held + sum(one.held for one in done) - self._most_bytes
+        for one in done:
+            if too_much <= 0:
+                return
+            too_much -= one.held
+            self.forget(one)
+
     async def _follow(self, file: FileJob) -> None:
         """Takes what the worker tells, and forgets the file in the end."""
         try:
             async for answer in file.job:
                 if isinstance(answer, dict) and not file.over:
                     _take(file, answer)
+                    self._forget_for(file)
             if not file.over:
                 file.state, file.headline = "failed", "Nothing was written."
         except JobCancelledError:
@@ -141,6 +171,7 @@ def _take(file: FileJob, answer: Mapping[str, Any]) -> None:
     if "file" in answer:
         file.state, file.stage = "done", ""
         file.path, file.name = Path(answer["file"]), answer["name"]
+        file.held = sum(one.stat().st_size for one in file.folder.rglob("*") if one.is_file())
         return
     file.state = "working"
     file.stage = str(answer.get("stage") or answer.get("text") or "")
