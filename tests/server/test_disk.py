@@ -1,6 +1,7 @@
 import errno
 import json
 import os
+import shutil
 import tempfile
 import time
 from pathlib import Path
@@ -79,3 +80,41 @@ def test_only_folders_of_the_server_are_cut_from_texts():
     home = "/tmp/gearwright-a/files/0123"  # noqa: S108
     part = f"{home}/files/.{'0' * 16}.part/new/pinion.stl and {home}/filesystem.stl, /tmp/b/files/c.stl"
     assert without([part], [home]) == ["pinion.stl and filesystem.stl, /tmp/b/files/c.stl"]
+
+
+def test_folders_that_something_has_tidied_away_are_made_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    names = JobNames(file="tests.server.work:write")
+    body = {"design": {"element": "x", "bytes": 7}, "suffix": ".stl", "what": "body"}
+    with running(jobs=names) as server, server.client() as client:
+
+        def made():
+            url = client.post("/api/files", json=body).json()["url"]
+            ends = time.monotonic() + 30
+            while (answer := client.get(url).json()).get("state") in ("waiting", "working"):
+                assert time.monotonic() < ends
+                time.sleep(0.02)
+            return url, answer["state"]
+
+        def uploaded():
+            return client.post("/api/uploads", params={"name": "a.csv"}, content=SQUARE).status_code
+
+        (folder,) = tmp_path.glob("gearwright-*")
+        old, state = made()
+        assert (state, uploaded()) == ("done", 201)
+        shutil.rmtree(folder)
+        assert client.get(old).status_code == 404
+        assert client.get(f"{old}/content").status_code == 404
+        assert (uploaded(), made()[1]) == (201, "done")
+        for one in (folder, *folder.iterdir()):
+            assert one.stat().st_mode & 0o077 == 0
+    assert not folder.exists()
+
+
+def test_what_another_has_put_in_place_of_a_folder_is_not_used(tmp_path):
+    (tmp_path / "theirs").mkdir()
+    (tmp_path / "ours").symlink_to(tmp_path / "theirs")
+    for folder in (tmp_path / "ours", tmp_path / "ours" / "uploads"):
+        with pytest.raises(PermissionError):
+            Uploads(folder).keep("a.csv", SQUARE)
+    assert list((tmp_path / "theirs").rglob("*.csv")) == []

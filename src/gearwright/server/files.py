@@ -14,6 +14,7 @@ from typing import Any, Literal, final
 
 from .job import Job
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
+from .own_folder import made_sure
 from .pool import Pool
 
 SECONDS = 600.0
@@ -85,18 +86,22 @@ class Files:
         self._files: OrderedDict[str, FileJob] = OrderedDict()
 
     def __getitem__(self, name: str) -> FileJob:
-        """Raises KeyError where there is none of this id."""
-        return self._files[name]
+        """Raises KeyError where there is none of this id, or none any more."""
+        file = self._files[name]
+        if file.path is not None and not file.path.is_file():
+            self.forget(file)
+            raise KeyError(name)
+        return file
 
     def begin(self, source: str, request: Mapping[str, Any]) -> FileJob:
-        """Has a worker make a file. Raises BusyError where too many are being made."""
+        """Has a worker make a file. Raises BusyError where too many are being made; OSError."""
         if len(self._files) >= self._most:
             oldest = next((one for one in self._files.values() if one.over), None)
             if oldest is None:
                 raise BusyError(f"{self._most} files are being made; wait for one, or cancel it.")
             self.forget(oldest)
         name = secrets.token_hex(16)
-        folder = self._folder / name
+        folder = made_sure(self._folder) / name
         folder.mkdir(mode=0o700)
         try:
             job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds)

@@ -9,6 +9,8 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import final
 
+from .own_folder import made_sure
+
 _MOST_FILES = 200
 _MOST_BYTES = 200 << 20
 MOST_BYTES_EACH = 20_000_000
@@ -39,7 +41,7 @@ class Uploads:
 
         Raises OSError.
         """
-        home = self.folder / secrets.token_hex(16)
+        home = made_sure(self.folder) / secrets.token_hex(16)
         home.mkdir(mode=0o700)
         path = home / name
         try:
