@@ -9,9 +9,12 @@ import threading
 import time
 from contextlib import contextmanager
 from pathlib import Path
+from socket import AF_INET
 
 import httpx
 import pytest
+
+from gearwright.server.hosts import Names
 
 
 @contextmanager
@@ -142,7 +145,7 @@ def test_what_it_needs_is_said_where_it_is_missing(run, monkeypatch):
 
 
 def test_others_than_this_machine_need_the_token_that_is_printed():
-    with serving("--host", "0.0.0.0", "--port", 0) as (_, address):  # noqa: S104
+    with serving("--host", "0.0.0.0", "--port", 0) as (process, address):  # noqa: S104
         token = re.search(r"\?token=(\S{20,})$", address)[1]
         url = address.partition("?")[0]
         assert httpx.get(url, trust_env=False).status_code == 401
@@ -151,6 +154,28 @@ def test_others_than_this_machine_need_the_token_that_is_printed():
             assert browser.get(f"{url}api/materials").status_code == 200
         headers = {"Authorization": f"Bearer {token}"}
         assert httpx.get(f"{url}api/materials", headers=headers, trust_env=False).status_code == 200
+        port = httpx.URL(url).port
+        for _ in Names(host="0.0.0.0", port=port).elsewhere:  # noqa: S104
+            found = re.fullmatch(r"From other machines: (http://(\S+)/\?token=(\S+))\n", process.stdout.readline())
+            assert found[3] == token
+            hosted = {"Host": found[2], **headers}
+            assert httpx.get(f"{url}api/materials", headers=hosted, trust_env=False).status_code == 200
+
+
+def test_a_server_for_all_is_known_elsewhere_by_its_name_and_its_address(monkeypatch):
+    monkeypatch.setattr("socket.gethostname", lambda: "Gears")
+    monkeypatch.setattr(
+        "gearwright.server.hosts._outward", lambda family: "10.1.2.3" if family == AF_INET else "fd00::7"
+    )
+    everywhere = Names(host="0.0.0.0", port=8321)  # noqa: S104
+    assert everywhere.elsewhere == ["gears:8321", "10.1.2.3:8321"]
+    assert all(map(everywhere.known, everywhere.elsewhere))
+    assert Names(host="::", port=8321).elsewhere == ["gears:8321", "[fd00::7]:8321"]
+    assert Names(host="127.0.0.1", port=8321).elsewhere == []
+    assert Names(host="gears.local", port=8321).elsewhere == []
+    monkeypatch.setattr("socket.gethostname", lambda: "localhost")
+    monkeypatch.setattr("gearwright.server.hosts._outward", lambda _: None)
+    assert everywhere.elsewhere == []
 
 
 def test_the_browser_is_opened_at_the_address(monkeypatch, run):

@@ -37,7 +37,15 @@ class Bound:
     @property
     def address(self) -> str:
         """To be opened in a browser."""
-        return f"http://{self.names.shown}/" + (f"?token={self.token}" if self.token else "")
+        return self._of(self.names.shown)
+
+    @property
+    def addresses_elsewhere(self) -> list[str]:
+        """To be opened on other machines, where `address` is for this one."""
+        return [self._of(shown) for shown in self.names.elsewhere]
+
+    def _of(self, shown: str) -> str:
+        return f"http://{shown}/" + (f"?token={self.token}" if self.token else "")
 
 
 def bound(host: str, port: int, *, or_next: bool) -> Bound:
