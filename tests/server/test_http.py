@@ -127,6 +127,12 @@ def test_toml_is_read_with_gaps_for_members(client):
     assert problem["message"].startswith("this is no TOML")
 
 
+def test_toml_beyond_what_designs_need_is_refused(client):
+    toml = 'element = "spur"\nteeth = [16, 40]\nmodule = 3\nface_width = 20\n'
+    for broken in ("9" * 5000, "0x" + "f" * 5000, "inf", "[" * 500 + "]" * 500):
+        refused(client.post("/api/read", json={"toml": f"{toml}pressure_angle = {broken}"}), 422)
+
+
 @pytest.mark.parametrize("value", ["inf", "-inf", "nan", "[[0, 1], [nan, 0]]", "{circle = inf}", "1" + 400 * "0"])
 def test_toml_of_numbers_beyond_range_is_refused(client, value):
     answer = refused(client.post("/api/read", json={"toml": f'element = "sweep"\nsection = {value}\nlength = 3'}), 422)

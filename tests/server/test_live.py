@@ -119,7 +119,9 @@ def test_what_is_no_json_is_told_and_the_connection_goes_on(live, text, told):
         ({"ask": "design", "id": 5, "design": {}, "desnity": 3}, "desnity"),
         ({"ask": "design", "id": 5, "design": {}, "have": "a"}, "have"),
         ({"ask": "design", "id": 5, "design": {}, "have": [[]]}, "have"),
-        ({"ask": "design", "id": 5, "design": {}, "about": [1, "y", 2]}, "about"),
+        ({"ask": "design", "id": 5, "design": {}, "have": [1]}, "have"),
+        ({"ask": "design", "id": 5, "design": {}, "turn": 0}, "turn"),  # the page turns it, and knows the inertia
+        ({"ask": "design", "id": 5, "design": {}, "about": "origin"}, "about"),
     ],
 )
 def test_what_is_no_request_is_refused_by_its_entry(live, asked, subject):

@@ -9,9 +9,12 @@ import threading
 import time
 from contextlib import contextmanager
 from pathlib import Path
+from socket import AF_INET
 
 import httpx
 import pytest
+
+from gearwright.server.hosts import Names
 
 
 @contextmanager
@@ -49,7 +52,7 @@ def answered(address, path="api/materials"):
     return httpx.get(address.partition("?")[0] + path, timeout=30, trust_env=False)
 
 
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
     with tempfile.TemporaryDirectory(prefix="gw-") as own, serving("--port", 0, TMPDIR=own) as (process, address):
         assert answered(address).status_code == 200
@@ -71,6 +74,20 @@ def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
     while any(Path(f"/proc/{pid}").exists() and "Z" not in state(pid) for pid in workers):
         assert time.monotonic() < ends
         time.sleep(0.05)
+
+
+def test_a_closed_terminal_does_not_end_what_was_told_to_go_on():
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)  # as nohup does
+    try:
+        with serving("--port", 0) as (process, address):
+            process.send_signal(signal.SIGHUP)
+            assert answered(address).status_code == 200
+            time.sleep(0.5)
+            assert answered(address).status_code == 200
+            process.send_signal(signal.SIGTERM)
+            assert process.wait(20) == 0
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 def state(pid):
@@ -105,6 +122,11 @@ def test_a_port_that_is_asked_for_and_taken_is_refused(run):
         (("--origin", "gear.example"), "such as https://gear.example"),
         (("--origin", "https://gear.example/gears"), "such as https://gear.example"),
         (("--host", "no host"), "name or an address"),
+        (("--host", "a..b"), "name or an address"),
+        (("--host", "a" * 64), "name or an address"),
+        (("--host", "x." + "a" * 64 + ".y"), "name or an address"),
+        (("--host", "a-.b"), "name or an address"),
+        (("--host", "ab." * 84 + "cd"), "name or an address"),
         (("--host", "192.0.2.1", "--port", 0), "no such name or address"),
         (("--host", "nowhere.invalid", "--port", 0), "no such name or address"),
     ],
@@ -125,7 +147,7 @@ def test_what_it_needs_is_said_where_it_is_missing(run, monkeypatch):
 
 
 def test_others_than_this_machine_need_the_token_that_is_printed():
-    with serving("--host", "0.0.0.0", "--port", 0) as (_, address):  # noqa: S104
+    with serving("--host", "0.0.0.0", "--port", 0) as (process, address):  # noqa: S104
         token = re.search(r"\?token=(\S{20,})$", address)[1]
         url = address.partition("?")[0]
         assert httpx.get(url, trust_env=False).status_code == 401
@@ -134,6 +156,28 @@ def test_others_than_this_machine_need_the_token_that_is_printed():
             assert browser.get(f"{url}api/materials").status_code == 200
         headers = {"Authorization": f"Bearer {token}"}
         assert httpx.get(f"{url}api/materials", headers=headers, trust_env=False).status_code == 200
+        port = httpx.URL(url).port
+        for _ in Names(host="0.0.0.0", port=port).elsewhere:  # noqa: S104
+            found = re.fullmatch(r"From other machines: (http://(\S+)/\?token=(\S+))\n", process.stdout.readline())
+            assert found[3] == token
+            hosted = {"Host": found[2], **headers}
+            assert httpx.get(f"{url}api/materials", headers=hosted, trust_env=False).status_code == 200
+
+
+def test_a_server_for_all_is_known_elsewhere_by_its_name_and_its_address(monkeypatch):
+    monkeypatch.setattr("socket.gethostname", lambda: "Gears")
+    monkeypatch.setattr(
+        "gearwright.server.hosts._outward", lambda family: "10.1.2.3" if family == AF_INET else "fd00::7"
+    )
+    everywhere = Names(host="0.0.0.0", port=8321)  # noqa: S104
+    assert everywhere.elsewhere == ["gears:8321", "10.1.2.3:8321"]
+    assert all(map(everywhere.known, everywhere.elsewhere))
+    assert Names(host="::", port=8321).elsewhere == ["gears:8321", "[fd00::7]:8321"]
+    assert Names(host="127.0.0.1", port=8321).elsewhere == []
+    assert Names(host="gears.local", port=8321).elsewhere == []
+    monkeypatch.setattr("socket.gethostname", lambda: "localhost")
+    monkeypatch.setattr("gearwright.server.hosts._outward", lambda _: None)
+    assert everywhere.elsewhere == []
 
 
 def test_behind_a_proxy_the_token_is_needed_although_it_is_this_machine_that_asks():

@@ -1,13 +1,15 @@
 """Jobs for workers: generators that the server's functions are stood in for by."""
 
+import errno
 import json
 import os
 import re
 import signal
 import time
 import warnings
+from pathlib import Path
 
-from gearwright.errors import FileError, ParameterError, Problem
+from gearwright.errors import FileError, MachineError, ParameterError, Problem
 
 
 def count(request):
@@ -95,3 +97,25 @@ def plot(request):
 
 def texts(request):
     yield dict.fromkeys(("toml", "python", "command"), request["design"].get("element", ""))
+
+
+def full_disk(request):
+    """Fails as a writer does on a full disk, in the words or the error that a design names."""
+    path = f"{request['folder']}/files/spur.stl"
+    match request["design"]["element"]:
+        case "told":
+            raise MachineError(f"{path}: cannot be written (No space left on device)")
+        case "folder":
+            raise MachineError(f"{request['folder']}/files: cannot be written to (No space left on device)")
+        case "system":
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), path)
+        case _:
+            raise ValueError(f"{path} has no end")
+    yield {}
+
+
+def write(request):
+    """A file of so many bytes as the design says."""
+    path = Path(request["folder"]) / "a.stl"
+    path.write_bytes(bytes(request["design"]["bytes"]))
+    yield {"file": str(path), "name": path.name}

@@ -58,6 +58,8 @@ def serve(
 
     def ready() -> None:
         print(f"Gearwright's designer page: {at.address} – Ctrl-C ends it.", flush=True)
+        for address in at.addresses_elsewhere:
+            print(f"From other machines: {address}", flush=True)
         if open_:
             import webbrowser
 

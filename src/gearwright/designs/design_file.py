@@ -11,6 +11,7 @@ from typing import Any
 from ..disk import contents
 from ..errors import FileError
 from .design import Design, design_of
+from .toml_bounds import table_problem, text_problem
 
 
 def read_design(path: Path) -> Design:
@@ -24,12 +25,24 @@ def read_design(path: Path) -> Design:
 
 
 def toml_table(data: bytes, where: str) -> dict[str, Any]:
-    """The table that TOML in UTF-8 holds. Raises FileError where it is none, with the line.
+    """The table that TOML in UTF-8 holds, within bounds that every design keeps.
 
     where   what a person knows it by, such as the file's path
+
+    Raises FileError where it is none, with the line.
     """
+    table = _parsed(data, where)
+    if problem := table_problem(table):
+        raise FileError(f"{where}: {problem}")
+    return table
+
+
+def _parsed(data: bytes, where: str) -> dict[str, Any]:
     try:
-        return tomllib.loads(data.decode("utf-8-sig"))
+        text = data.decode("utf-8-sig")
+        if problem := text_problem(text):
+            raise FileError(f"{where}: {problem}")
+        return tomllib.loads(text)
     except UnicodeDecodeError as error:
         broken = data.count(b"\n", 0, error.start) + 1
         raise FileError(f"{where}: line {broken}: this is no text in UTF-8, which a TOML file is") from None
@@ -41,3 +54,5 @@ def toml_table(data: bytes, where: str) -> dict[str, Any]:
         raise FileError(f"{where}: {at}: this is no TOML: {what}") from None
     except RecursionError:
         raise FileError(f"{where}: lists or tables are nested more deeply than any design") from None
+    except ValueError:
+        raise FileError(f"{where}: a number or a date in it is none that a computer holds") from None

@@ -53,6 +53,7 @@ def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     with zipfile.ZipFile(packed, "w", compression=zipfile.ZIP_DEFLATED) as archive:
         for path in files:
             archive.write(path, path.relative_to(home))
+            path.unlink()
     yield {"file": str(packed), "name": packed.name}
 
 

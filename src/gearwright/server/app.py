@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import shutil
 import tempfile
 from collections.abc import AsyncIterator, Callable
@@ -32,6 +33,7 @@ from .page import FOLDER, page_files, page_reply
 from .pool import Pool
 from .protocol import HEAD
 from .replies import refusal
+from .room import MOST_BYTES, Room
 from .uploads import Uploads
 
 _NEAR, _FAR = (100.0, 300.0), (30.0, 120.0)  # requests a second, and at once, of an address
@@ -46,6 +48,7 @@ class Settings:
     page    the folder of the page's files
     head    seconds for the head of a request
     each    connections of an address, None for any number
+    room    bytes of all bodies under way
     """
 
     host: str
@@ -59,12 +62,13 @@ class Settings:
     rate: tuple[float, float] | None = None
     head: float = HEAD
     each: int | None = None
+    room: int = MOST_BYTES
     abort: Callable[[WebSocket], None] = lambda _: None
 
 
 def application(settings: Settings) -> ASGIApp:
     """The whole server as an ASGI application; its workers and folders live between start-up and shutdown."""
-    folder = Path(tempfile.mkdtemp(prefix="gearwright-"))  # only its owner reads it
+    folder = Path(tempfile.mkdtemp(prefix="gearwright-")).resolve()  # only its owner reads it
     for name in ("uploads", "files"):
         (folder / name).mkdir(mode=0o700)
     quick, heavy = Pool(settings.quick, spares=1, kept=1), Pool(1, warm=None)
@@ -97,7 +101,7 @@ def application(settings: Settings) -> ASGIApp:
     inner = Starlette(routes=_joined(routes, settings), lifespan=lifespan, exception_handlers=_HANDLERS)
     rate = settings.rate or (_NEAR if is_loopback(settings.host) else _FAR)
     names = Names(host=settings.host, port=settings.port, origin=settings.origin)
-    return Guard(inner, names, settings.token, Buckets(*rate))
+    return Guard(Room(inner, settings.room), names, settings.token, Buckets(*rate))
 
 
 def _joined(routes: list[Any], settings: Settings) -> list[Any]:
@@ -156,6 +160,12 @@ async def _busy(_: Request, error: Any) -> Response:
     return refusal(503, str(error), headers={"Retry-After": "2"})
 
 
+async def _disk(_: Request, error: Any) -> Response:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return refusal(507, "There is no space on the server's disk for this; what is forgotten there makes some.")
+    raise error
+
+
 async def _fault(_: Request, error: Any) -> Response:
     return refusal(500, f"Gearwright failed, and the fault is its own ({type(error).__name__}).")
 
@@ -167,5 +177,6 @@ _HANDLERS: Any = {
     JobFailedError: _failed,
     JobCancelledError: _busy,
     BusyError: _busy,
+    OSError: _disk,
     Exception: _fault,
 }

@@ -86,12 +86,6 @@ ASK = {
     "ask": Field(types=("string",), words="what is asked for", choices=("design",), required=True),
     "id": Field(types=("integer",), words="number that answers come with", required=True),
     **BUILD,
-    "turn": Field(types=("number", "null"), words="angle by which a pair's pinion is turned (degrees)"),
-    "about": Field(
-        types=("array", "string", "null"),
-        words="the point that inertia is about: [x, y, z] or a word",
-        items=("number",),
-    ),
     "have": Field(types=("array",), words="keys of topologies that are kept", items=("string",)),
 }
 

@@ -14,19 +14,21 @@ from typing import Any, Literal, final
 
 from .job import Job
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
+from .own_folder import made_sure
 from .pool import WAITING, Pool
 
 SECONDS = 600.0
 _KEPT = 600.0  # seconds, once done
 _MOST = 50
 _LESS = "a coarser tolerance"
+_MOST_BYTES = 2 << 30
 
 State = Literal["waiting", "working", "done", "failed", "cancelled"]
 
 
 @dataclass(kw_only=True, eq=False)
 class FileJob:
-    """A file that is made or is there. name, path   once it is done"""
+    """A file that is made or is there. name, path   once it is done; held   bytes on the disk, then"""
 
     id: str
     folder: Path
@@ -40,6 +42,7 @@ class FileJob:
     headline: str | None = None
     problems: list[dict[str, Any]] = field(default_factory=list)
     task: asyncio.Task[None] | None = None
+    held: int = 0
 
     @property
     def over(self) -> bool:
@@ -61,25 +64,45 @@ class FileJob:
 
 @final
 class Files:
-    """Files by their ids, in a folder that nobody else reads. source   of what writes one"""
+    """Files by their ids, in a folder that nobody else reads.
 
-    def __init__(self, folder: Path, pool: Pool, *, kept: float = _KEPT, most: int = _MOST, seconds: float = SECONDS):
-        self._folder, self._pool, self._kept, self._most, self._seconds = folder, pool, kept, most, seconds
+    kept         seconds for which one is kept
+    most         number of them, made and being made
+    most_bytes   on the disk, beyond which the oldest are forgotten; the newest stays whatever its size
+    seconds      that one may take
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        pool: Pool,
+        *,
+        kept: float = _KEPT,
+        most: int = _MOST,
+        most_bytes: int = _MOST_BYTES,
+        seconds: float = SECONDS,
+    ):
+        self._folder, self._pool, self._kept, self._seconds = folder, pool, kept, seconds
+        self._most, self._most_bytes = most, most_bytes
         self._files: OrderedDict[str, FileJob] = OrderedDict()
 
     def __getitem__(self, name: str) -> FileJob:
-        """Raises KeyError where there is none of this id."""
-        return self._files[name]
+        """Raises KeyError where there is none of this id, or none any more."""
+        file = self._files[name]
+        if file.path is not None and not file.path.is_file():
+            self.forget(file)
+            raise KeyError(name)
+        return file
 
     def begin(self, source: str, request: Mapping[str, Any]) -> FileJob:
-        """Has a worker make a file. Raises BusyError where too many are being made."""
+        """Has a worker make a file. Raises BusyError where too many are being made; OSError."""
         if len(self._files) >= self._most:
             oldest = next((one for one in self._files.values() if one.over), None)
             if oldest is None:
                 raise BusyError(f"{self._most} files are being made; wait for one, or cancel it.")
             self.forget(oldest)
         name = secrets.token_hex(16)
-        folder = self._folder / name
+        folder = made_sure(self._folder) / name
         folder.mkdir(mode=0o700)
         try:
             job = self._pool.submit(source, _with_folder(request, str(folder)), seconds=self._seconds, less=_LESS)
@@ -115,12 +138,24 @@ class Files:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
 
+    def _forget_for(self, newest: FileJob) -> None:
+        """Forgets the oldest files that are there until those that are left, with this one, are few enough bytes."""
+        done = [one for one in self._files.values() if one.state == "done" and one is not newest]
+        done.sort(key=lambda one: one.begun + (one.seconds or 0.0))
+        too_much = newest.held + sum(one.held for one in done) - self._most_bytes
+        for one in done:
+            if too_much <= 0:
+                return
+            too_much -= one.held
+            self.forget(one)
+
     async def _follow(self, file: FileJob) -> None:
         """Takes what the worker tells, and forgets the file in the end."""
         try:
             async for answer in file.job:
                 if isinstance(answer, dict) and not file.over:
                     _take(file, answer)
+                    self._forget_for(file)
             if not file.over:
                 file.state, file.headline = "failed", "Nothing was written."
         except JobCancelledError:
@@ -142,6 +177,7 @@ def _take(file: FileJob, answer: Mapping[str, Any]) -> None:
     if "file" in answer:
         file.state, file.stage = "done", ""
         file.path, file.name = Path(answer["file"]), answer["name"]
+        file.held = sum(one.stat().st_size for one in file.folder.rglob("*") if one.is_file())
         return
     file.state = "waiting" if answer == WAITING else "working"
     file.stage = str(answer.get("stage") or answer.get("text") or "")

@@ -5,11 +5,13 @@ from __future__ import annotations
 import ipaddress
 import re
 import socket
+from contextlib import suppress
 from dataclasses import dataclass
 
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
 _ANY = ("0.0.0.0", "::")  # noqa: S104  compared with, not bound to
-_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]+")
+_LABEL = r"[A-Za-z0-9](?:[A-Za-z0-9-]{0,61}[A-Za-z0-9])?"
+_NAME = re.compile(rf"(?=.{{1,253}}$){_LABEL}(?:\.{_LABEL})*|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]+")
 
 
 _ORIGIN = re.compile(r"(https?)://([A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:.]+\])(?::([0-9]{1,5}))?/?")
@@ -84,7 +86,27 @@ class Names:
     def shown(self) -> str:
         """The host and port as an address shows it."""
         host = "127.0.0.1" if self.host == "0.0.0.0" else "::1" if self.host == "::" else self.host  # noqa: S104
+        return self._with_port(host)
+
+    @property
+    def elsewhere(self) -> list[str]:
+        """The host and port as others may write them, where it is bound to all addresses: its name, its address."""
+        if self.host not in _ANY:
+            return []
+        named = [socket.gethostname().lower(), _outward(socket.AF_INET6 if self.host == "::" else socket.AF_INET)]
+        return [self._with_port(name) for name in named if name and not is_loopback(name) and is_name(name)]
+
+    def _with_port(self, host: str) -> str:
         return f"[{host}]:{self.port}" if ":" in host else f"{host}:{self.port}"
+
+
+def _outward(family: socket.AddressFamily) -> str | None:
+    """This machine's address on the network that leads elsewhere, None where there is none; nothing is sent."""
+    beyond = "2001:db8::1" if family == socket.AF_INET6 else "192.0.2.1"  # kept for documents: nobody's
+    with suppress(OSError), socket.socket(family, socket.SOCK_DGRAM) as one:
+        one.connect((beyond, 9))
+        return str(one.getsockname()[0])
+    return None
 
 
 def _address(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:

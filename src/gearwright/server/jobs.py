@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime as dt
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -18,9 +18,10 @@ from ..designs.document import built_document, plain
 from ..designs.kinds import commands, parameters_of
 from ..designs.requested import requested
 from ..designs.schema import design_schema
-from ..errors import FileError, GearwrightError, GeometryError, Problem, ProblemsError
+from ..errors import FileError, GearwrightError, GeometryError, MachineError, Problem, ProblemsError
 from ..parameters import FileName
 from ..sources import load
+from .hidden_folders import folders_of, without
 from .job_names import PREFIX
 from .worker import Answer
 
@@ -81,10 +82,10 @@ def check_upload(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
             with suppress(GeometryError):  # one layer of it may be sound: the design says which
                 read_drawing(path)
     except FileError as error:
-        problem = Problem(path.name, _without(str(error).removeprefix(f"{path}: "), str(request["folder"])))
+        problem = Problem(path.name, without(str(error).removeprefix(f"{path}: "), folders_of(request)))
         raise ProblemsError("This file cannot be taken", [problem]) from error
     except GearwrightError as error:
-        raise _told_without(error, str(request["folder"])) from error
+        raise _told_without(error, folders_of(request)) from error
     yield {}
 
 
@@ -116,9 +117,12 @@ def admitted(request: Mapping[str, Any]) -> Iterator[Answer]:
         pass  # the job itself raises it, in its words
     try:
         for answer in load(request["source"])(inner):
-            yield _without(answer, folder) if isinstance(answer, dict) else answer
+            yield without(answer, [folder]) if isinstance(answer, dict) else answer
     except GearwrightError as error:
-        raise _told_without(error, folder) from error
+        raise _told_without(error, folders_of(request)) from error
+    except OSError as error:
+        named = f"{error.filename}: " if error.filename else ""
+        raise MachineError(without(f"{named}{error.strerror or error}", folders_of(request))) from error
 
 
 def _file_forms() -> Iterator[FileName]:
@@ -152,24 +156,11 @@ def _path(folder: str, value: str) -> str | None:
     return str(path) if path is not None and path.is_file() else None
 
 
-def _without(value: Any, folder: str) -> Any:
-    """A value with the names of uploaded files in place of where they lie."""
-    match value:
-        case str():
-            return re.sub(rf"{re.escape(folder)}[/\\][0-9a-f]{{32}}[/\\]", "", value) if folder in value else value
-        case Mapping():
-            return {name: _without(one, folder) for name, one in value.items()}
-        case list() | tuple():
-            return [_without(one, folder) for one in value]
-        case _:
-            return value
-
-
-def _told_without(error: GearwrightError, folder: str) -> GearwrightError:
+def _told_without(error: GearwrightError, folders: Sequence[str]) -> GearwrightError:
     if not isinstance(error, ProblemsError):
-        return type(error)(_without(str(error), folder))
-    problems = [Problem(*_without((one.subject, one.message), folder)) for one in error.problems]
-    return ProblemsError(_without(error.headline, folder), problems)
+        return type(error)(without(str(error), folders))
+    problems = [Problem(*without((one.subject, one.message), folders)) for one in error.problems]
+    return ProblemsError(without(error.headline, folders), problems)
 
 
 _ENDLESS = "numbers are to be finite, below 1.8e308; give one that is, or leave the parameter out"

@@ -23,6 +23,7 @@ _WORDS = {
     429: "too many requests",
     500: "a fault of the server",
     503: "busy, or stopped for taking too long",
+    507: "no space on the disk",
 }
 _ALWAYS = (401, 403, 429)
 _PROBLEM = {

@@ -148,6 +148,7 @@ OPERATIONS = (
         body=FILES,
         answer=_object({"id": _ID, "url": _TEXT}),
         status=202,
+        refusals=(507,),
     ),
     Operation(
         method="GET",
@@ -182,5 +183,6 @@ OPERATIONS = (
         query={"name": ({**_TEXT, "minLength": 1}, True)},
         answer=_object({"value": _TEXT, "name": _TEXT, "bytes": _COUNT}),
         status=201,
+        refusals=(507,),
     ),
 )

@@ -39,12 +39,20 @@ class Bound:
     @property
     def address(self) -> str:
         """To be opened in a browser."""
-        return f"{self.names.origin or f'http://{self.names.shown}'}/" + (f"?token={self.token}" if self.token else "")
+        return self._of(self.names.shown)
+
+    @property
+    def addresses_elsewhere(self) -> list[str]:
+        """To be opened on other machines, where `address` is for this one."""
+        return [] if self.names.origin else [self._of(shown) for shown in self.names.elsewhere]
 
     @property
     def each(self) -> int | None:
         """Connections that an address may have: any number, where only this machine has any, or a proxy has all."""
         return None if is_loopback(self.names.host) or self.names.origin is not None else EACH
+
+    def _of(self, shown: str) -> str:
+        return f"{self.names.origin or f'http://{shown}'}/" + (f"?token={self.token}" if self.token else "")
 
 
 def bound(host: str, port: int, *, or_next: bool, origin: str | None = None) -> Bound:
@@ -94,14 +102,14 @@ def _problem(error: OSError, host: str, port: int) -> Problem:
 
 
 def serve(at: Bound, ready: Callable[[], None]) -> None:
-    """Serves until SIGINT or SIGTERM. ready   called once requests are taken
+    """Serves until SIGINT, SIGTERM or, unless it is ignored, SIGHUP. ready   called once requests are taken
 
     Raises MachineError where it cannot start.
     """
     server = server_of(
         Settings(host=at.names.host, port=at.names.port, token=at.token, origin=at.names.origin, each=at.each), ready
     )
-    with _quiet_signals():
+    with _quiet_signals(), _hanging_up(server):
         server.run(sockets=[at.listener])
     if not server.started:
         raise MachineError("The server did not start; GEARWRIGHT_DEBUG=1 before the command shows why")
@@ -140,6 +148,20 @@ def _quiet_signals() -> Iterator[None]:
     finally:
         for one, handler in before.items():
             signal.signal(one, handler)
+
+
+@contextmanager
+def _hanging_up(server: uvicorn.Server) -> Iterator[None]:
+    """Has a terminal that is closed end the server as SIGTERM does; `nohup`, which has it ignored, is kept to."""
+    hangup: Any = getattr(signal, "SIGHUP", None)
+    if hangup is None or signal.getsignal(hangup) == signal.SIG_IGN:
+        yield
+        return
+    before = signal.signal(hangup, lambda _, frame: server.handle_exit(signal.SIGTERM, frame))
+    try:
+        yield
+    finally:
+        signal.signal(hangup, before)
 
 
 class _Server(uvicorn.Server):

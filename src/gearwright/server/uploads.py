@@ -9,20 +9,22 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import final
 
+from .own_folder import made_sure
+
 _MOST_FILES = 200
 _MOST_BYTES = 200 << 20
 MOST_BYTES_EACH = 20_000_000
 
 _UNSAFE = re.compile(r"[^\w .()+-]|^[. ]+|[. ]+$")
-_LONGEST = 100
+_LONGEST = 100  # bytes: systems count those, not letters
 
 
 def plain_name(name: str) -> str:
     """A file's name as it is kept: its last part, of letters, digits and a few signs."""
     last = re.split(r"[/\\]", name)[-1]
     stem, dot, suffix = last.rpartition(".")
-    stem, suffix = _UNSAFE.sub("_", stem)[:_LONGEST], re.sub(r"\W", "", suffix)[:10].lower()
-    return f"{stem or 'file'}{dot}{suffix}"
+    stem, suffix = _UNSAFE.sub("_", stem).encode()[:_LONGEST], re.sub(r"\W", "", suffix)[:10].lower()
+    return f"{stem.decode(errors='ignore') or 'file'}{dot}{suffix}"
 
 
 @final
@@ -35,11 +37,18 @@ class Uploads:
         self._sizes: OrderedDict[Path, int] = OrderedDict()
 
     def keep(self, name: str, data: bytes) -> Path:
-        """Writes a file of a name made by `plain_name`, and gives where."""
-        home = self.folder / secrets.token_hex(16)
+        """Writes a file of a name made by `plain_name`, and gives where; on any error nothing of it stays.
+
+        Raises OSError.
+        """
+        home = made_sure(self.folder) / secrets.token_hex(16)
         home.mkdir(mode=0o700)
         path = home / name
-        path.write_bytes(data)
+        try:
+            path.write_bytes(data)
+        except BaseException:
+            shutil.rmtree(home, ignore_errors=True)
+            raise
         self._sizes[path] = len(data)
         while len(self._sizes) > self._most_files or sum(self._sizes.values()) > self._most_bytes:
             self.forget(next(iter(self._sizes)))

@@ -17,6 +17,7 @@ from typing import Any
 from ..compiled import telling
 from ..errors import GearwrightError
 from ..sources import load
+from .hidden_folders import folders_of, without
 from .refusals import refused
 
 COMPILING = {"answer": "stage", "text": "compiling for this machine, once"}
@@ -84,7 +85,8 @@ def _do(connection: Connection, number: int, source: str, request: Any, cancelle
     except Exception as error:  # noqa: BLE001  an edge: everything becomes an answer
         _trace(error)
         where = "GEARWRIGHT_DEBUG=1 at the server's start shows where"
-        text = f"Gearwright failed, and the fault is its own ({type(error).__name__}: {error}); {where}."
+        what = without(f"{type(error).__name__}: {error}", folders_of(request))
+        text = f"Gearwright failed, and the fault is its own ({what}); {where}."
         _send(connection, number, "failed", text)
 
 

@@ -70,7 +70,9 @@ export class Connection {
     this.wish = null;
     this.underWay = true;
     this.id += 1;
-    const ask: Ask = { ask: "design", id: this.id, turn: 0, have: this.whole ? [] : this.known.held(), ...wish };
+    const { design, density, material } = wish;
+    const have = this.whole ? [] : this.known.held();
+    const ask: Omit<Ask, "turn" | "about"> = { ask: "design", id: this.id, design, density, material, have };
     this.whole = false;
     this.socket.send(JSON.stringify(ask));
     this.sent = performance.now();

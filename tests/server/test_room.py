@@ -1,0 +1,37 @@
+import socket
+import time
+from contextlib import ExitStack
+
+from .serving import running
+
+
+def begun(server, size, stated):
+    """A connection that has sent so many bytes of an upload and holds the rest back."""
+    connection = socket.create_connection(("127.0.0.1", server.port), timeout=30)
+    head = f"POST /api/uploads?name=a.csv HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: {stated}\r\n\r\n"
+    connection.sendall(head.encode() + bytes(size))
+    return connection
+
+
+def test_bodies_under_way_are_bounded_together_and_make_room_when_they_end():
+    with running(room=1_000_000, rate=(1e9, 1e9)) as server, server.client() as client, ExitStack() as held:
+
+        def read(size):
+            return client.post("/api/read", json={"toml": 'element = "spur"\n#' + "x" * size})
+
+        def until(status, size):
+            ends = time.monotonic() + 20
+            while (answer := read(size)).status_code != status:
+                assert time.monotonic() < ends
+                time.sleep(0.02)
+            return answer
+
+        for _ in range(3):
+            held.enter_context(begun(server, 300_000, 400_000))
+        refused = until(503, 200_000)
+        assert refused.headers["retry-after"] == "2"
+        assert "at once" in refused.json()["headline"]
+        assert read(50_000).status_code == 200
+        held.close()
+        until(200, 900_000)
+        assert [read(900_000).status_code for _ in range(5)] == [200] * 5  # what is answered counts no longer
