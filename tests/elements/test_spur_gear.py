@@ -99,3 +99,10 @@ def test_inches():
     millimetres = SpurGear(teeth=20, module=25.4 / 8.0, face_width=12.7)
     assert inches.properties().volume * 25.4**3 == pytest.approx(millimetres.properties().volume, rel=1e-13)
     assert inches.sizes()["pitch_diameter"].value == pytest.approx(2.5)
+
+
+def test_the_module_is_told_in_millimetres_whatever_lengths_are_in():
+    told = [
+        SpurGear(teeth=24, diametral_pitch=8.0, face_width=1.0, length_unit=unit).description for unit in ("mm", "in")
+    ]
+    assert told == ["z = 24, m = 3.175 mm"] * 2

@@ -12,7 +12,7 @@ from ...curves.polynomial import Polynomial, parabola
 from ...motions.extrusion import Extrusion
 from ...motions.motion import Motion
 from ...motions.straight import Straight
-from ...parameters import Problems, Size, declarations, declared
+from ...parameters import LENGTH_UNITS, Problems, Size, declarations, declared
 from ...sections.plane import Section
 from ...sheets.content import Row
 from .. import declarations as d
@@ -235,4 +235,5 @@ class CylindricalGear(Element):
     def description(self) -> str:
         helix = f", β = {self.helix.helix_angle:.4g}° {self.helix.hand}" if self.helix.angle else ""
         shift = f", x = {self.profile_shift:g}" if self.profile_shift else ""
-        return f"z = {self.teeth}, m = {self.normal_module:.4g} {self.length_unit}{helix}{shift}"
+        module = self.normal_module * LENGTH_UNITS[self.length_unit]  # told in mm, whatever lengths are in
+        return f"z = {self.teeth}, m = {module:.4g} mm{helix}{shift}"

@@ -11,7 +11,7 @@ from ...motions.ends import between
 from ...motions.extrusion import Extrusion
 from ...motions.motion import Motion
 from ...motions.straight import Straight
-from ...parameters import Problems, Size, declared
+from ...parameters import LENGTH_UNITS, Problems, Size, declared
 from ...sections.plane import Section
 from ...sheets.content import Row
 from ...sheets.views import View
@@ -151,7 +151,8 @@ class Rack(Element):
     @property
     def description(self) -> str:
         helix = f", β = {self.helix_angle:.4g}° {self.hand}" if self.helix_angle else ""
-        return f"z = {self.teeth}, m = {self.normal_module:.4g} {self.length_unit}{helix}"
+        module = self.normal_module * LENGTH_UNITS[self.length_unit]  # told in mm, whatever lengths are in
+        return f"z = {self.teeth}, m = {module:.4g} mm{helix}"
 
     def sizes(self) -> dict[str, Size]:
         """Derived sizes by name, with the symbols of ISO 53."""
