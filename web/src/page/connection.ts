@@ -72,7 +72,7 @@ export class Connection {
     this.id += 1;
     const { design, density, material } = wish;
     const have = this.whole ? [] : this.known.held();
-    const ask: Omit<Ask, "turn" | "about"> = { ask: "design", id: this.id, design, density, material, have };
+    const ask: Ask = { ask: "design", id: this.id, design, density, material, have };
     this.whole = false;
     this.socket.send(JSON.stringify(ask));
     this.sent = performance.now();

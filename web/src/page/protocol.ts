@@ -114,8 +114,6 @@ export interface Ask {
   design: Design;
   density: number | null;
   material: string | null;
-  turn: number;
-  about: About;
   have: string[];
 }
 
