@@ -23,7 +23,13 @@ def serving(*words, **variables):
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), **variables}
     command = [sys.executable, "-m", "gearwright", "serve", *map(str, words)]
     with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+        start_new_session=True,
+        preexec_fn=_heard,
     ) as process:
         try:
             line = process.stdout.readline()
@@ -32,6 +38,11 @@ def serving(*words, **variables):
             yield process, found[1]
         finally:
             process.kill()
+
+
+def _heard():
+    """A closed terminal is told to the command, also where the tests run under nohup."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 def children(pid):
