@@ -29,7 +29,7 @@ def serving(*words, **variables):
         text=True,
         env=environment,
         start_new_session=True,
-        preexec_fn=_heard,
+        preexec_fn=_heard,  # noqa: PLW1509  it takes no lock
     ) as process:
         try:
             line = process.stdout.readline()
