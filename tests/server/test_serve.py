@@ -23,13 +23,7 @@ def serving(*words, **variables):
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path)), **variables}
     command = [sys.executable, "-m", "gearwright", "serve", *map(str, words)]
     with subprocess.Popen(
-        command,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=environment,
-        start_new_session=True,
-        preexec_fn=_heard,  # noqa: PLW1509  it takes no lock
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True
     ) as process:
         try:
             line = process.stdout.readline()
@@ -40,9 +34,14 @@ def serving(*words, **variables):
             process.kill()
 
 
-def _heard():
-    """A closed terminal is told to the command, also where the tests run under nohup."""
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+@contextmanager
+def at_hangup(what):
+    """Has processes that are begun in the block do that when their terminal is closed; nohup has them ignore it."""
+    before = signal.signal(signal.SIGHUP, what)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 def children(pid):
@@ -65,7 +64,11 @@ def answered(address, path="api/materials"):
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
-    with tempfile.TemporaryDirectory(prefix="gw-") as own, serving("--port", 0, TMPDIR=own) as (process, address):
+    with (
+        at_hangup(signal.SIG_DFL),
+        tempfile.TemporaryDirectory(prefix="gw-") as own,
+        serving("--port", 0, TMPDIR=own) as (process, address),
+    ):
         assert answered(address).status_code == 200
         assert answered(address, "").headers["content-type"].startswith("text/html")
         ends = time.monotonic() + 30
@@ -88,17 +91,13 @@ def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
 
 
 def test_a_closed_terminal_does_not_end_what_was_told_to_go_on():
-    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)  # as nohup does
-    try:
-        with serving("--port", 0) as (process, address):
-            process.send_signal(signal.SIGHUP)
-            assert answered(address).status_code == 200
-            time.sleep(0.5)
-            assert answered(address).status_code == 200
-            process.send_signal(signal.SIGTERM)
-            assert process.wait(20) == 0
-    finally:
-        signal.signal(signal.SIGHUP, before)
+    with at_hangup(signal.SIG_IGN), serving("--port", 0) as (process, address):
+        process.send_signal(signal.SIGHUP)
+        assert answered(address).status_code == 200
+        time.sleep(0.5)
+        assert answered(address).status_code == 200
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(20) == 0
 
 
 def state(pid):

@@ -23,6 +23,8 @@ interface Group {
 const AXES = ["x", "y", "z"];
 const PLACES: [string, number, number][] = [["xx", 0, 0], ["yy", 1, 1], ["zz", 2, 2], ["xy", 0, 1], ["yz", 1, 2], ["zx", 2, 0]];
 const DIGITS = 8;
+const OFF = "Off by";
+const OFF_MEANS = "Relative; of a point to the size of the part, of inertia to the norm of the tensor";
 const MEANINGS: Record<string, string> = {
   Principal: "Principal moment of inertia about the centroid", Gyration: "Radius of gyration about a principal axis through the centroid",
   Product: "Minus the product of inertia", Inertia: "Moment of inertia about the point that is chosen",
@@ -37,9 +39,9 @@ export function massTable(
   const beside = Object.entries((part.beside ?? {}) as Record<string, Body>);
   const polyhedron = approximated(approximation, name);
   const bodies = [exact, ...beside.map(([, body]) => body), ...(polyhedron ? [polyhedron] : [])];
-  const heads = ["Exact", ...beside.map(([of]) => capital(of)), ...(polyhedron ? ["Polyhedron", "Off by"] : [])];
+  const heads = ["Exact", ...beside.map(([of]) => capital(of)), ...(polyhedron ? ["Polyhedron", OFF] : [])];
   const head = element("tr", {}, element("th", { scope: "col" }, "Property"),
-    ...heads.map((text) => element("th", { scope: "col" }, text)), element("th", { scope: "col", class: "unit" }, "Unit"));
+    ...heads.map((text) => element("th", { scope: "col", ...(text === OFF ? { title: OFF_MEANS } : {}) }, text)), element("th", { scope: "col", class: "unit" }, "Unit"));
   const rows = rowsOf(bodies, unit, about).map((row) => tableRow(row, polyhedron !== null));
   return element("table", { class: "values mass" }, caption(name, exact, about, unit), element("thead", {}, head),
     element("tbody", {}, ...rows));
