@@ -548,7 +548,6 @@ test("on 360 pixels all is there under View, large enough for a finger, and noth
   await settled(page);
   assert.equal(await page.getByLabel("Sharp edges").isVisible(), false);
   await keep(page, "narrow");
-  await page.screenshot({path:'/tmp/w/v8_n.png'});
   const box = await extent(page, "narrow", "a > 250");
   assert.ok(box.left >= 8 && box.right <= 352 && box.right - box.left > 280, JSON.stringify(box));
   await page.getByText("View", { exact: true }).click();

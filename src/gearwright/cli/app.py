@@ -10,9 +10,8 @@ from io import StringIO, TextIOWrapper
 import cyclopts
 
 from .. import __version__, catalog
-from ..designs.kinds import commands, teeth_given
+from ..designs.kinds import commands, option_name, teeth_given
 from .exits import DONE, report
-from .options import option_name
 
 EPILOGUE = """Lengths are millimetres unless --length-unit says otherwise, angles degrees.
 Results go to stdout, progress and warnings to stderr.

@@ -13,8 +13,6 @@ from ..files.formats import written_suffixes
 from .densities import DENSITY_HELP, MATERIAL_HELP, kilograms
 from .options import OUTPUT
 
-PAPERS = ("A3", "A4")
-
 
 @dataclass(frozen=True, kw_only=True)
 class Outputs:

@@ -18,7 +18,7 @@ from ..elements.assembly import draw_parts, save_parts
 from ..parameters import from_mapping
 from ..solids.properties import MassProperties
 from .exits import DONE
-from .outputs import placed_parts, progress
+from .outputs import progress
 from .tables import number, plain_table, show
 
 PAIR: Mapping[str, Any] = {
@@ -64,7 +64,7 @@ def demo(
     kind = next(one for one in catalog.ELEMENTS if one.name == "bevel pair")
     rows: dict[str, list[_Row]] = {"pinion": [], "gear": []}
     for trace, parameters in TRACES.items():
-        built = built_from(kind, from_mapping(catalog.load(kind.source), {**PAIR, **parameters}), None, 0.0)
+        built = built_from(kind, from_mapping(catalog.load(kind.source), {**PAIR, **parameters}), None)
         _write(built, output / trace)
         for name, part in built.parts.items():
             rows[name] += _compare(trace, part)
@@ -75,7 +75,7 @@ def demo(
 
 def _write(built: Built, folder: Path) -> None:
     with progress(f"{built.title}: files"):
-        parts = placed_parts(built, tolerance=None, clearance=0.0)
+        parts = built.placed()
         save_parts(parts, folder, built.units.length)
         draw_parts(parts, folder / "pair.png", built.title, built.units.length)
 

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 
 from .. import catalog
-from ..designs.kinds import article, chosen, element_of, kinds_of, parameter_names, parameters_of, said
+from ..designs.kinds import article, chosen, element_of, kinds_of, option_name, parameter_names, parameters_of, said
 from ..errors import ProblemsError
 from .common_options import DEFAULT, FLATTENED, Outputs
 from .deliver import deliver
-from .options import given_values, offered, option_name, signature_parameters
+from .options import given_values, offered, signature_parameters
 from .output_problems import output_problems
 from .wording import in_options, text_in_options
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from cyclopts import Group
 from cyclopts import Parameter as Option
 
-from ..designs.kinds import NOT_THIS_MEMBER
+from ..designs.kinds import NOT_THIS_MEMBER, option_name
 from ..parameters import Declaration, FileName, Parameter, in_words
 
 _TOPICS = 3  # after what all elements have
@@ -40,11 +40,6 @@ def offered(kinds: Mapping[str, Sequence[Declaration]]) -> dict[str, Offered]:
             first = replace(first, members="both")
         found[name] = Offered(declaration=first, only="" if len(owners) == len(kinds) else next(iter(owners)))
     return found
-
-
-def option_name(name: str) -> str:
-    """The option of a parameter, as it is typed: "--face-width"."""
-    return "--" + name.replace("_", "-")
 
 
 def signature_parameters(parameters: Mapping[str, Offered]) -> list[inspect.Parameter]:

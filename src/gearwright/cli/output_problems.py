@@ -6,23 +6,17 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .. import catalog
+from ..designs.file_problems import CLEARANCE, DRAWINGS, PAPERS, PLAY, SHEETS, STEP_SCHEMAS, TOLERANCE
+from ..designs.kinds import option_name
 from ..errors import Problem
 from ..files.formats import written_suffixes
 from ..materials import DENSITY
 from ..parameters import Parameter
-from .common_options import PAPERS, Outputs
+from .common_options import Outputs
 from .densities import material_problems
-from .options import option_name
 
-TOLERANCE = Parameter(meaning="largest distance of written faces from the part's", unit="length", above=0)
-CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", unit="length", minimum=0)
 TURN = Parameter(meaning="angle by which the pinion is turned", unit="angle")
 
-_SCHEMAS = ("AP214", "AP242")
-_SHEETS = (".dxf", ".svg", ".pdf")
-"""What `gearwright.sheets` writes, which is not loaded for the help."""
-
-_PLAY = "give the parts their play by backlash, tip clearance and bores; or write polygons, as .3mf or .stl"
 _NOT_PLANE = "has no plane section, which is what is drawn; --picture shows it, and -o writes its polyhedron"
 
 
@@ -49,8 +43,8 @@ def _name_problems(outputs: Outputs) -> list[Problem]:
     accepted = {
         "output": (outputs.output, written_suffixes()),
         "picture": (outputs.picture, (".png",)),
-        "drawing": (outputs.drawing, (".dxf", ".svg")),
-        "sheet": (outputs.sheet, _SHEETS),
+        "drawing": (outputs.drawing, DRAWINGS),
+        "sheet": (outputs.sheet, SHEETS),
         "convergence": (outputs.plot, (".png", ".svg")),
     }
     files = {name: path for name, (path, _) in accepted.items()}
@@ -161,11 +155,11 @@ def _format_problems(outputs: Outputs) -> list[Problem]:
     problems = []
     if outputs.clearance and suffix in written_suffixes() and suffix not in written_suffixes("polygons"):
         given = f"--clearance {outputs.clearance:g}"
-        problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds others; {_PLAY}"))
+        problems.append(Problem(given, f"moves faces of polyhedra, and a {suffix} file holds others; {PLAY}"))
     if outputs.step_schema is not None:
         given = f"--step-schema {outputs.step_schema}"
-        if outputs.step_schema.upper() not in _SCHEMAS:
-            problems.append(Problem(given, f"choose {' or '.join(_SCHEMAS)}"))
+        if outputs.step_schema.upper() not in STEP_SCHEMAS:
+            problems.append(Problem(given, f"choose {' or '.join(STEP_SCHEMAS)}"))
         if suffix not in written_suffixes("smooth faces"):
             problems.append(Problem(given, "applies to STEP files; none is asked for (-o FILE.step)"))
     return problems

@@ -9,20 +9,21 @@ from pathlib import Path
 
 from ..compiled import telling
 from ..designs.built import Built
+from ..designs.file_problems import PAPERS
 from ..disk import folder
-from ..elements.assembly import PlacedPart, draw_parts, save_parts
+from ..elements.assembly import draw_parts, save_parts
 from ..elements.element import Element
 from ..elements.pair import Pair
 from ..elements.sheets import SheetLabels
 from ..solids.robots import save_mechanism
-from .common_options import PAPERS, Outputs
+from .common_options import Outputs
 
 
 def write(built: Built, outputs: Outputs, written: list[Path]) -> None:
     """Writes polyhedra and pictures as asked for, and adds the path of each to those written."""
     if outputs.output is None and outputs.picture is None:
         return
-    parts = placed_parts(built, outputs.tolerance, outputs.clearance or 0.0)
+    parts = built.placed(outputs.tolerance, outputs.clearance or 0.0)
     if outputs.output is not None:
         with progress(f"{outputs.output}"):
             if outputs.mechanism is not None:
@@ -68,25 +69,6 @@ def draw_sheet(element: Element | Pair, path: Path, outputs: Outputs) -> Path:
     with progress("sheet"):
         element.save_sheet(path, labels)
     return path
-
-
-def placed_parts(built: Built, tolerance: float | None, clearance: float) -> list[PlacedPart]:
-    """The parts where they mesh, to be written or drawn within a tolerance and with a clearance (lengths)."""
-    parts = []
-    for name, part in built.parts.items():
-        label = f"{name}\n{part.gear.description}"
-        parts.append(
-            PlacedPart(
-                name=name,
-                label="" if len(built.parts) == 1 else label,
-                element=part.gear,
-                placement=part.placement,
-                upward=part.gear.upward,
-                tolerance=tolerance,
-                clearance=clearance,
-            )
-        )
-    return parts
 
 
 @contextmanager

@@ -12,6 +12,7 @@ from typing import Annotated
 
 from cyclopts import Parameter as Option
 
+from ..designs.kinds import option_name
 from ..errors import GearwrightError, Problem, ProblemsError
 from ..moments.summation import processors
 from ..parameters import did_you_mean
@@ -19,7 +20,6 @@ from .batch import in_order
 from .exits import DONE, MACHINES_FAULT, report
 from .file_names import named_files
 from .measuring import STANDARD_INPUT, Answer, Failure, Measured, Question, answer
-from .options import option_name
 from .outputs import progress
 from .property_formats import heading, result
 from .property_options import DEFAULT, FLATTENED, Wanted, asked

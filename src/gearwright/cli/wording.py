@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable
 
 from .. import catalog
+from ..designs.kinds import option_name
 from ..errors import Problem
 from ..parameters import declarations
-from .options import option_name
 
 
 def in_options(problems: Iterable[Problem], kinds: Iterable[catalog.Element]) -> list[Problem]:

@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
-import numpy as np
-
 from .. import catalog
 from ..arrays import Array
 from ..boundary.boundary import Boundary
+from ..elements.assembly import PlacedPart
 from ..files.robots.mechanism import Mechanism
 from ..materials import density as kernel_density
 from ..parameters import Size
 from ..solids.convergence import ApproximationError
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
+from .members import members, placed_parts, placements
 
 
 class Gear(Protocol):
@@ -116,15 +116,15 @@ class Built:
         element: Gear | Pair = first.gear if self.pair is None else self.pair
         return f"{self.kind}: {element.description}"
 
+    def placed(self, tolerance: float | None = None, clearance: float = 0.0) -> list[PlacedPart]:
+        """Its parts to be written or drawn, as of `members.placed_parts`."""
+        gears = {name: part.gear for name, part in self.parts.items()}
+        return placed_parts(gears, [part.placement for part in self.parts.values()], tolerance, clearance)
 
-def built_from(kind: catalog.Element, element: Any, density: float | None, turn: float) -> Built:
+
+def built_from(kind: catalog.Element, element: Any, density: float | None, turn: float = 0.0) -> Built:
     """What an element of the catalog is made of, with density in kg/m³ or None, a pair's pinion turned by degrees."""
-    if kind.members == 1:
-        gears: dict[str, Gear] = {kind.name: element}
-        placements = [np.eye(4)]
-    else:
-        gears = {"pinion": element.pinion, "gear": element.gear}
-        placements = list(element.placements(turn=turn))
+    gears: dict[str, Gear] = members(kind, element)
     units, own_density = units_and_density(element.length_unit, density)
     parts = {
         name: Part(
@@ -133,7 +133,7 @@ def built_from(kind: catalog.Element, element: Any, density: float | None, turn:
             properties=gear.properties(own_density),
             beside=gear.beside(own_density),
         )
-        for (name, gear), placement in zip(gears.items(), placements, strict=True)
+        for (name, gear), placement in zip(gears.items(), placements(kind, element, turn), strict=True)
     }
     pair = element if kind.members == 2 else None
     return Built(

@@ -17,6 +17,7 @@ from ..pictures.camera import Shape, View, view_of
 from ..viewer.frame import DrawnBody, frame
 from ..viewer.shells import Shell, shells
 from ..viewer.turning import AT_REST, STEP, Turning
+from .members import members, placements
 
 TOLERANCE = 1e-4
 """How far what is drawn may lie from the exact surface, by the diagonal of each body's edges."""
@@ -37,18 +38,17 @@ def drawn(kind: catalog.Element, element: Any, number: int | None, known: Collec
     number   of the question that it answers
     known    keys of topologies that the page has
     """
-    parts: dict[str, Drawn] = {kind.name: element}
-    placements, turnings = [np.eye(4)], [AT_REST]
+    parts: dict[str, Drawn] = members(kind, element)
+    placed = placements(kind, element)
+    turnings = [AT_REST]
     if kind.members == 2:
-        parts = {"pinion": element.pinion, "gear": element.gear}
-        placements = list(element.placements())
-        turnings = [Turning.between(*both) for both in zip(placements, element.placements(STEP), strict=True)]
+        turnings = [Turning.between(*both) for both in zip(placed, placements(kind, element, STEP), strict=True)]
     bodies = [
         DrawnBody(
             name=name,
             colour=(BRASS, STEEL)[i % 2],
             shells=_shells(part.boundary),
-            placement=placements[i],
+            placement=placed[i],
             turning=turnings[i],
         )
         for i, (name, part) in enumerate(parts.items())

@@ -16,9 +16,9 @@ PAPERS = ("A3", "A4")
 STEP_SCHEMAS = ("AP214", "AP242")
 WHATS = ("body", "drawing", "sheet", "design")
 
-_TOLERANCE = Parameter(meaning="largest distance of written faces from the part's", unit="length", above=0)
-_CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", unit="length", minimum=0)
-_PLAY = "give the parts their play by backlash, tip clearance and bores; or take polygons, as .3mf or .stl"
+TOLERANCE = Parameter(meaning="largest distance of written faces from the part's", unit="length", above=0)
+CLEARANCE = Parameter(meaning="gap between printed surfaces that would touch", unit="length", minimum=0)
+PLAY = "give the parts their play by backlash, tip clearance and bores; or take polygons, as .3mf or .stl"
 
 
 def suffixes_of(what: str) -> tuple[str, ...]:
@@ -40,7 +40,7 @@ def file_problems(request: Mapping[str, Any], kind: catalog.Element) -> list[Pro
 
 
 def _number_problems(request: Mapping[str, Any]) -> list[Problem]:
-    limited = {"tolerance": _TOLERANCE, "clearance": _CLEARANCE}
+    limited = {"tolerance": TOLERANCE, "clearance": CLEARANCE}
     return [
         Problem(f"{name} = {request[name]!r}", problem)
         for name, parameter in limited.items()
@@ -58,7 +58,7 @@ def _body_problems(request: Mapping[str, Any], kind: catalog.Element) -> list[Pr
             problems.append(Problem("separate", f"a {suffix} file holds the members on their joints, not apart"))
     if request.get("clearance") and not (body and suffix in written_suffixes("polygons")):
         given = f"clearance = {request['clearance']!r}"
-        problems.append(Problem(given, f"moves faces of polyhedra, and this {suffix} file holds others; {_PLAY}"))
+        problems.append(Problem(given, f"moves faces of polyhedra, and this {suffix} file holds others; {PLAY}"))
     if request.get("separate") and kind.members == 1:
         problems.append(Problem("separate", "applies to a pair"))
     schema = request.get("step_schema")

@@ -8,6 +8,7 @@ from typing import Any
 from .. import catalog
 from ..files.formats import FILE_FORMATS
 from ..parameters import MILLIMETRES, Declaration, FileName, Form, Numbers, Points, Several, Table, Text
+from .file_problems import DRAWINGS, SHEETS
 from .kinds import parameters_of
 from .plots import plots_of
 
@@ -99,8 +100,8 @@ def _formats(kind: catalog.Element) -> list[Plain]:
         if one.writer
         for suffix in one.suffixes
     ]
-    drawings = [("drawing", suffix, "plane section, true arcs and splines") for suffix in (".dxf", ".svg")]
-    sheets = [("sheet", suffix, "drawing sheet for the shop") for suffix in (".pdf", ".dxf", ".svg")]
+    drawings = [("drawing", suffix, "plane section, true arcs and splines") for suffix in DRAWINGS]
+    sheets = [("sheet", suffix, "drawing sheet for the shop") for suffix in SHEETS]
     others = [*(drawings if kind.plane else []), *sheets, ("design", ".toml", "the design, as a file")]
     return [
         *bodies,

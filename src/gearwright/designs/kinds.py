@@ -13,6 +13,11 @@ NOT_THIS_MEMBER = "none"
 """Stands for the value of the member of a pair that is to have none."""
 
 
+def option_name(name: str) -> str:
+    """The option of a parameter, as it is typed: "--face-width"."""
+    return "--" + name.replace("_", "-")
+
+
 def commands() -> list[str]:
     """The names that elements are built by, in the catalog's order."""
     return list(dict.fromkeys(kind.command for kind in catalog.ELEMENTS))

@@ -21,9 +21,9 @@ class Requested:
     element: Any
     kilograms: float | None
 
-    def built(self, turn: float = 0.0) -> Built:
-        """What it is made of, a pair's pinion turned by degrees."""
-        return built_from(self.design.kind, self.element, self.kilograms, turn)
+    def built(self) -> Built:
+        """What it is made of."""
+        return built_from(self.design.kind, self.element, self.kilograms)
 
 
 def requested(request: Mapping[str, Any], more: list[Problem] | None = None) -> Requested:

@@ -10,11 +10,9 @@ from typing import Any
 
 from ..parameters import Declaration, call
 from .design import ELEMENT, Design
-from .kinds import NOT_THIS_MEMBER, parameters_of
+from .kinds import NOT_THIS_MEMBER, option_name, parameters_of
 from .toml_text import toml_text
-
-UPLOADED = "upload:"
-"""How a value begins that stands for an uploaded file: "upload:ID/name"."""
+from .uploaded import UPLOADED
 
 FILE = "design.toml"
 """The file that the command names where a design cannot be typed."""
@@ -106,7 +104,7 @@ def _command(design: Design, given: Mapping[str, Any]) -> str:
         said = _words(declared[name], value) if name in declared else None
         if said is None:
             return f"gearwright build {FILE}"
-        words += ["--" + name.replace("_", "-"), *said]
+        words += [option_name(name), *said]
     return shlex.join(words)
 
 

@@ -7,15 +7,14 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..elements.assembly import PlacedPart, save_parts
 from ..elements.sheets import SheetLabels
 from ..files.formats import written_suffixes
-from ..sources import load
 from .design import Design, design_of
 from .file_problems import file_problems
+from .members import members, placed_parts, placements
 from .requested import Requested, requested
+from .texts import texts
 
 
 def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -43,7 +42,7 @@ def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         case "sheet":
             _write_sheet(found, request, home / name)
         case "design":
-            (home / name).write_text(load("gearwright.designs.texts:texts")(design)["toml"], encoding="utf-8")
+            (home / name).write_text(texts(design)["toml"], encoding="utf-8")
     files = sorted(path for path in home.rglob("*") if path.is_file())
     if len(files) == 1:
         yield {"file": str(files[0]), "name": files[0].name}
@@ -80,23 +79,8 @@ def _write_body(found: Requested, request: Mapping[str, Any], path: Path) -> Non
 
 
 def _parts(found: Requested, tolerance: float | None, clearance: float) -> list[PlacedPart]:
-    if found.design.kind.members == 2:
-        members = {"pinion": found.element.pinion, "gear": found.element.gear}
-        placements = list(found.element.placements())
-    else:
-        members, placements = {found.design.kind.name: found.element}, [np.eye(4)]
-    return [
-        PlacedPart(
-            name=name,
-            label="",
-            element=member,
-            placement=placement,
-            upward=member.upward,
-            tolerance=tolerance,
-            clearance=clearance,
-        )
-        for (name, member), placement in zip(members.items(), placements, strict=True)
-    ]
+    kind, element = found.design.kind, found.element
+    return placed_parts(members(kind, element), placements(kind, element), tolerance, clearance)
 
 
 def _write_sheet(found: Requested, request: Mapping[str, Any], path: Path) -> None:

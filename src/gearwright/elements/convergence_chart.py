@@ -17,8 +17,7 @@ difference over the norm"""
 
 def convergence(element: Any) -> Chart:
     """Relative errors of volume, centroid and inertia over the tolerance, log over log; of each member of a pair."""
-    pair = isinstance(element, Pair)
-    parts = {"pinion": element.pinion, "gear": element.gear} if pair else {"": element}
+    parts = element.members if isinstance(element, Pair) else {"": element}
     studies = {name: approximation_error(part) for name, part in parts.items()}
     styles: tuple[Style, ...] = ("solid", "dashed")
     return Chart(

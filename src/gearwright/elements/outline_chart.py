@@ -8,7 +8,6 @@ import numpy as np
 
 from ..arrays import Array, ArrayLike
 from ..pictures.chart import Axis, Chart, Line, Style
-from ..sections.loop import Loop
 from ..sections.plane import Section
 from ..sections.polylines import closed_polyline
 
@@ -22,16 +21,12 @@ _TURN = 241  # points of a circle
 def outline(name: str, section: Section, placement: Array | None = None) -> Line:
     """The loops of a section, with gaps between them, where a placement (4, 4) about z puts it."""
     gap = np.full((1, 2), np.nan)
-    pieces = [piece for loop in section.loops for piece in (_corners(loop, section.size), gap)]
+    pieces = [piece for loop in section.loops for piece in (closed_polyline(loop, FINE * section.size), gap)]
     points = np.concatenate(pieces[:-1])
     if placement is not None:
         points = points @ placement[:2, :2].T + placement[:2, 3]
     decimals = int(np.ceil(-np.log10(_DIGITS * section.size)))
     return Line.through(name, np.round(points, decimals))
-
-
-def _corners(loop: Loop, size: float) -> Array:
-    return closed_polyline(loop, FINE * size)
 
 
 def circle(name: str, radius: float, centre: ArrayLike = (0.0, 0.0), style: Style = "dashed") -> Line:

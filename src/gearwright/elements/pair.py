@@ -49,6 +49,11 @@ class Pair(ABC):
         """The second member, in its own frame."""
 
     @property
+    def members(self) -> dict[str, Element]:
+        """Both by name, the pinion first."""
+        return {"pinion": self.pinion, "gear": self.gear}
+
+    @property
     @abstractmethod
     def description(self) -> str:
         """A few words that tell this pair from others."""
@@ -78,7 +83,6 @@ class Pair(ABC):
         """
         if not np.isfinite(turn):
             raise ParameterError("This pair", [Problem(f"turn = {turn}", "a finite angle in degrees is needed")])
-        members = {"pinion": self.pinion, "gear": self.gear}
         return [
             PlacedPart(
                 name=name,
@@ -87,7 +91,7 @@ class Pair(ABC):
                 placement=placement,
                 tolerance=tolerance,
             )
-            for (name, member), placement in zip(members.items(), self.placements(turn), strict=True)
+            for (name, member), placement in zip(self.members.items(), self.placements(turn), strict=True)
         ]
 
     def mechanism(
@@ -137,7 +141,7 @@ class Pair(ABC):
         """Both members in mesh as a compound of Open CASCADE (OCP.TopoDS), pinion first; see `Solid.to_ocp`."""
         from ..files.step.brep.shape import together
 
-        members = (self.pinion, self.gear)
+        members = self.members.values()
         return together((m.to_ocp(tolerance), p) for m, p in zip(members, self.placements(turn), strict=True))
 
     def save_drawing(self, path: str | Path) -> None:
@@ -146,8 +150,7 @@ class Pair(ABC):
         Raises GeometryError where the members have no plane section; FileError, MachineError.
         """
         profiles = []
-        members = (("pinion", self.pinion), ("gear", self.gear))
-        for (layer, member), placement in zip(members, self.placements(), strict=True):
+        for (layer, member), placement in zip(self.members.items(), self.placements(), strict=True):
             if member.profile is None:
                 raise GeometryError("This pair cannot be drawn", [Problem(self.description, refusals.NO_PROFILE)])
             turn, shift = float(np.arctan2(placement[1, 0], placement[0, 0])), (placement[0, 3], placement[1, 3])
@@ -162,7 +165,7 @@ class Pair(ABC):
         """
         require_suffix(path)
         sheets = []
-        for k, (name, member) in enumerate((("pinion", self.pinion), ("gear", self.gear))):
+        for k, (name, member) in enumerate(self.members.items()):
             own = labels or SheetLabels()
             named = own if own.name is None else replace(own, name=f"{own.name}, {name}")
             more = mate_rows(self, k, member.data_rows())

@@ -39,8 +39,8 @@ def element_summary(element: Element) -> str:
 def pair_summary(pair: Pair) -> str:
     """Sizes of the pair and of its members, and a picture of them in mesh."""
     title, unit = title_of(pair), pair.length_unit
-    members = {"pinion": pair.pinion.sizes(), "gear": pair.gear.sizes()}
-    tolerance = max(_tolerance(member) for member in (pair.pinion, pair.gear))
+    members = {name: member.sizes() for name, member in pair.members.items()}
+    tolerance = max(_tolerance(member) for member in pair.members.values())
     picture = assembly_picture(title, pair.assembly(tolerance))
     return beside(f"{_sizes_table(title, {'': pair.sizes()}, unit)}{picture}", _sizes_table("members", members, unit))
 

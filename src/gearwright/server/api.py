@@ -15,12 +15,13 @@ from starlette.responses import FileResponse, Response
 
 from .. import __version__
 from ..designs.kinds import commands
+from ..designs.uploaded import UPLOADED
 from ..materials import MATERIALS
 from ..parameters import did_you_mean
 from .bodies import BUILD, FILES, PLOTS, READ, TEXTS, Field, body_problems
 from .files import FileJob, Files
 from .job import Job
-from .job_names import PREFIX, JobNames, admitted
+from .job_names import JobNames, admitted
 from .leaving import while_there
 from .openapi import document
 from .outcomes import JobRefusedError
@@ -129,7 +130,7 @@ class Api:
         except BaseException:
             self._uploads.forget(path)
             raise
-        return reply({"value": f"{PREFIX}{path.parent.name}/{name}", "name": name, "bytes": len(data)}, 201)
+        return reply({"value": f"{UPLOADED}{path.parent.name}/{name}", "name": name, "bytes": len(data)}, 201)
 
     def _named(self, request: Request) -> FileJob:
         try:

@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ..errors import GearwrightError, Problem, ProblemsError
+
 _BELOW = r"(?:[/\\](?:[0-9a-f]{32}|files|new|old|\.[0-9a-f]{16}\.part)(?=[/\\]|$|[^\w.-]))*"
 _WHOLE = "the folder"
 
@@ -33,6 +35,14 @@ def without(value: Any, folders: Sequence[str]) -> Any:
             return [without(one, folders) for one in value]
         case _:
             return value
+
+
+def error_without(error: GearwrightError, folders: Sequence[str]) -> GearwrightError:
+    """The same error, told so."""
+    if not isinstance(error, ProblemsError):
+        return type(error)(without(str(error), folders))
+    problems = [Problem(*without((one.subject, one.message), folders)) for one in error.problems]
+    return ProblemsError(without(error.headline, folders), problems)
 
 
 def _cut(text: str, folder: str) -> str:

@@ -9,8 +9,6 @@ from typing import Any
 from ..sources import Source
 
 _HERE = "gearwright.server.jobs"
-PREFIX = "upload:"
-"""What starts the value that stands for an uploaded file."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime as dt
 import re
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -18,11 +18,12 @@ from ..designs.document import built_document, plain
 from ..designs.kinds import commands, parameters_of
 from ..designs.requested import requested
 from ..designs.schema import design_schema
+from ..designs.texts import texts as texts_of
+from ..designs.uploaded import UPLOADED
 from ..errors import FileError, GearwrightError, GeometryError, MachineError, Problem, ProblemsError
 from ..parameters import FileName
 from ..sources import load
-from .hidden_folders import folders_of, without
-from .job_names import PREFIX
+from .hidden_folders import error_without, folders_of, without
 from .worker import Answer
 
 
@@ -62,7 +63,7 @@ def read(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 def texts(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """{"toml", "python", "command"} of a "design"."""
-    yield load("gearwright.designs.texts:texts")(design_of(request["design"]))
+    yield texts_of(design_of(request["design"]))
 
 
 def build(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -85,7 +86,7 @@ def check_upload(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         problem = Problem(path.name, without(str(error).removeprefix(f"{path}: "), folders_of(request)))
         raise ProblemsError("This file cannot be taken", [problem]) from error
     except GearwrightError as error:
-        raise _told_without(error, folders_of(request)) from error
+        raise error_without(error, folders_of(request)) from error
     yield {}
 
 
@@ -119,7 +120,7 @@ def admitted(request: Mapping[str, Any]) -> Iterator[Answer]:
         for answer in load(request["source"])(inner):
             yield without(answer, [folder]) if isinstance(answer, dict) else answer
     except GearwrightError as error:
-        raise _told_without(error, folders_of(request)) from error
+        raise error_without(error, folders_of(request)) from error
     except OSError as error:
         named = f"{error.filename}: " if error.filename else ""
         raise MachineError(without(f"{named}{error.strerror or error}", folders_of(request))) from error
@@ -146,7 +147,7 @@ class NoUploadError(ProblemsError):
 
 
 _NOT_HERE = "no such upload is here (they are forgotten after a while); choose the file again, to upload it"
-_UPLOAD = re.compile(rf"{PREFIX}([0-9a-f]{{32}})/([^/\\\0]+)")
+_UPLOAD = re.compile(rf"{UPLOADED}([0-9a-f]{{32}})/([^/\\\0]+)")
 
 
 def _path(folder: str, value: str) -> str | None:
@@ -154,13 +155,6 @@ def _path(folder: str, value: str) -> str | None:
     found = _UPLOAD.fullmatch(value)
     path = Path(folder) / found[1] / found[2] if found else None
     return str(path) if path is not None and path.is_file() else None
-
-
-def _told_without(error: GearwrightError, folders: Sequence[str]) -> GearwrightError:
-    if not isinstance(error, ProblemsError):
-        return type(error)(without(str(error), folders))
-    problems = [Problem(*without((one.subject, one.message), folders)) for one in error.problems]
-    return ProblemsError(without(error.headline, folders), problems)
 
 
 _ENDLESS = "numbers are to be finite, below 1.8e308; give one that is, or leave the parameter out"

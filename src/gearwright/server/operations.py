@@ -61,6 +61,7 @@ _PLOT = _object(
         "lines": {"type": "array", "items": _LINE},
         "log": {"enum": ["none", "both"]},
         "notes": {"type": "array", "items": _TEXT},
+        "window": {"type": ["array", "null"], "items": {"type": "number"}, "minItems": 4, "maxItems": 4},
     }
 )
 _FILE = _object(

@@ -6,8 +6,7 @@ import json
 import math
 from typing import Any
 
-DEEPEST = 24
-"""Levels of lists and tables; the deepest design has seven."""
+from ..designs.toml_bounds import DEEPEST
 
 
 class NoJsonError(ValueError):

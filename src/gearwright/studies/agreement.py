@@ -160,8 +160,7 @@ def _places(design: Element | Pair) -> list[_Place]:
     if isinstance(design, Element):
         return [_Place(member="", in_mesh=False, wanted=Wanted(solid=design), matrix=np.eye(4))]
     found = []
-    members = {"pinion": design.pinion, "gear": design.gear}
-    for (member, element), placement in zip(members.items(), design.placements(), strict=True):
+    for (member, element), placement in zip(design.members.items(), design.placements(), strict=True):
         wanted = Wanted(solid=element)
         found += [
             _Place(member=member, in_mesh=in_mesh, wanted=wanted, matrix=matrix)

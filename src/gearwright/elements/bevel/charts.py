@@ -36,7 +36,7 @@ _HALF_TURN = -np.eye(2)
 
 def profile(element: BevelGear | BevelPair) -> Chart:
     """Teeth on the developed back cone at the mean cone distance; of a pair in mesh, both cones touching."""
-    members = {"pinion": element.pinion, "gear": element.gear} if isinstance(element, BevelPair) else {"": element}
+    members: dict[str, Any] = element.members if isinstance(element, BevelPair) else {"": element}
     unit = element.length_unit
     lines = [
         line for number, (name, gear) in enumerate(members.items()) for line in _member(name, gear, mate=number == 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -78,7 +79,7 @@ def pressure_angle(cam: Cam) -> Chart:
     if limit is None:
         return chart
     line = Line(name="limit", x=np.array([0.0, 360.0]), y=np.full(2, np.degrees(limit)), style="dashed")
-    return Chart(title=chart.title, x=chart.x, y=chart.y, lines=[*chart.lines, line], notes=chart.notes)
+    return replace(chart, lines=[*chart.lines, line])
 
 
 def curvature(cam: Cam) -> Chart:
@@ -92,7 +93,7 @@ def curvature(cam: Cam) -> Chart:
 
     chart = _over_turn(cam, "Radius of curvature", Axis(label="radius of curvature ρ", unit=cam.length_unit), radius)
     note = f"negative where the profile is hollow; a gap where it is flatter than {largest:.3g} {cam.length_unit}"
-    return Chart(title=chart.title, x=chart.x, y=chart.y, lines=chart.lines, notes=[note])
+    return replace(chart, notes=[note])
 
 
 def _amount(cam: Cam) -> str:
@@ -107,8 +108,7 @@ def _over_turn(cam: Cam, title: str, axis: Axis, value: Value) -> Chart:
     other = compared_profile(cam)
     lines = [_line("this cam" if other else axis.label, cam.traced, value)]
     if other is not None:
-        named = _line(_OTHER, other, value)
-        lines.append(Line(name=named.name, x=named.x, y=named.y, style="dashed"))
+        lines.append(replace(_line(_OTHER, other, value), style="dashed"))
     steps = [f"{step.kind} {step.angle:g}°" for step in cam.steps]
     return Chart(
         title=f"{title}, {cam.description}",
