@@ -167,10 +167,7 @@ def test_an_interrupt_ends_all_processes_quietly(boxes):
     ) as process:
         process.stdout.readline()
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
-        start = time.monotonic()
-        out, err = process.communicate(timeout=60)
-    # all of them hold the pipe of stdout, which has ended
-    assert time.monotonic() - start < 10
+        out, err = process.communicate(timeout=60)  # all of them hold the pipe of stdout, which ends with the last
     assert (process.returncode, err) == (130, b"")
     assert out.count(b"\n") < len(names) - 1
 

@@ -6,6 +6,7 @@ import pytest
 
 from gearwright import catalog, sheets
 from gearwright.cli import common_options
+from gearwright.designs import file_problems
 from gearwright.cli.output_problems import output_problems
 from gearwright.sheets.papers import PAPERS
 
@@ -34,7 +35,7 @@ def test_material_and_paper_are_stated(run, tmp_path):
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (["--sheet", "a.png"], "--sheet a.png: no such files are written here, but .dxf, .svg, .pdf"),
+        (["--sheet", "a.png"], "--sheet a.png: no such files are written here, but .pdf, .dxf, .svg"),
         (["--sheet", "."], "--sheet: a name is needed"),
         (["--sheet", "a.svg", "--paper", "A5"], "--paper A5: choose A3 or A4"),
         (["--paper", "A4"], "--paper: applies to a --sheet; none is asked for"),
@@ -54,4 +55,5 @@ def test_the_options_accept_what_is_written():
     for suffix in (*sheets.WRITTEN, ".png", ".stl"):
         refused = output_problems(common_options.Outputs(sheet=Path(f"a{suffix}")), kind)
         assert bool(refused) == (suffix not in sheets.WRITTEN)
-    assert tuple(PAPERS) == common_options.PAPERS
+    assert tuple(PAPERS) == file_problems.PAPERS
+    assert set(sheets.WRITTEN) == set(file_problems.SHEETS)

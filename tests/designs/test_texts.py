@@ -70,6 +70,15 @@ def test_the_python_builds_the_same_element(name, example):
     assert type(element).__name__ in gw.__all__
 
 
+@pytest.mark.parametrize(
+    ("weight", "words"),
+    [({"density": 7850.0}, "--density 7850"), ({"material": "grey cast iron"}, "--material 'grey cast iron'"), ({}, "16")],
+)
+def test_the_command_weighs_as_the_page_does(weight, words):
+    table = {"element": "spur", "teeth": 16, "module": 2, "face_width": 8}
+    assert texts(design_of(table), **weight)["command"].partition("--face-width 8")[2].strip() == words.removeprefix("16")
+
+
 @every_design
 def test_the_command_asks_for_the_same_element(name, example):
     table = table_of(name, example)

@@ -180,8 +180,8 @@ def test_a_file_is_made_fetched_and_forgotten(client, tmp_path):
     ("request_", "name", "start"),
     [
         ({"what": "body", "suffix": ".step", "step_schema": "AP242"}, "spur-16-40.step", b"ISO-10303-21"),
-        ({"what": "drawing", "suffix": ".svg"}, "spur-16-40.svg", b"<"),
-        ({"what": "sheet", "suffix": ".pdf", "paper": "A4"}, "spur-16-40.pdf", b"%PDF"),
+        ({"what": "drawing", "suffix": ".svg"}, "spur-16-40-section.svg", b"<"),
+        ({"what": "sheet", "suffix": ".pdf", "paper": "A4"}, "spur-16-40-sheet.pdf", b"%PDF"),
         ({"what": "body", "suffix": ".3mf", "tolerance": 0.05}, "spur-16-40.3mf", b"PK"),
     ],
 )
@@ -200,7 +200,7 @@ def test_each_kind_of_file_is_what_its_suffix_says(client, request_, name, start
 )
 def test_several_files_become_one_zip(client, request_, names):
     told, content = done(client, design=PAIR, what="body", **request_)
-    assert told["name"] == "spur-16-40.zip", told
+    assert told["name"] == f"spur-16-40-{request_['suffix'][1:]}.zip", told
     with zipfile.ZipFile(io.BytesIO(content.content)) as archive:
         assert names <= set(archive.namelist())
         assert len(archive.namelist()) >= 2

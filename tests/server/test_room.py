@@ -26,6 +26,7 @@ def test_bodies_under_way_are_bounded_together_and_make_room_when_they_end():
                 time.sleep(0.02)
             return answer
 
+        assert read(10).status_code == 200  # workers are there: what is held is not held for longer than it may be
         for _ in range(3):
             held.enter_context(begun(server, 300_000, 400_000))
         refused = until(503, 200_000)

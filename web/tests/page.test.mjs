@@ -96,6 +96,16 @@ test("a pitch typed key by key in the module's field is handed over whole, and a
   assert.deepEqual(server.asks.at(-1).design, { element: "spur", teeth: 24, module: 3, face_width: 16 });
 });
 
+test("a module that is typed takes the pitch's place, and a pitch the module's", async (t) => {
+  const { page } = await opened(t, { hash: "#spur?teeth=24&diametral_pitch=8&face_width=16" });
+  await text(page, "module").fill("3");
+  await until(page, () => location.hash.includes("module=3") && !location.hash.includes("pitch"));
+  assert.equal(await text(page, "diametral_pitch").inputValue(), "");
+  await text(page, "diametral_pitch").fill("10");
+  await until(page, () => location.hash.includes("diametral_pitch=10") && !location.hash.includes("module"));
+  assert.equal(await text(page, "module").inputValue(), "");
+});
+
 test("a slider that is pulled asks once a frame, and the newest wins while an answer is under way", async (t) => {
   const open = [];
   const { page, server } = await opened(t, { hash: "#spur?teeth=24&module=2&face_width=16", answers: prompt });

@@ -13,7 +13,7 @@ const { range } = await moduleOf("form/ranges");
 const { rowsOf, rowsGiven } = await moduleOf("form/points_editor");
 const { holeIn } = await moduleOf("form/inside");
 const { listed } = await moduleOf("form/text_editor");
-const { density } = await moduleOf("weighing");
+const { density, lightness } = await moduleOf("weighing");
 const { summary, told } = await moduleOf("amounts");
 const { lines } = await moduleOf("comparison");
 
@@ -199,6 +199,12 @@ test("densities have units of their own", () => {
   for (const [typed, value] of [["7.85 g/cc", 7850], ["7.85 kg/dm^3", 7850], ["490 lb/ft³", 7849.052], ["0.5 LB/IN3", 13839.95]]) {
     assert.ok(Math.abs(density(typed) - value) < 0.01, `${typed}: ${density(typed)}`);
   }
+});
+
+test("a number that only g/cm³ can be meant by is doubted, not changed", () => {
+  assert.match(lightness("7.85"), /type 7\.85 g\/cm³/);
+  assert.match(lightness("7,85"), /type 7\.85 g\/cm³/);
+  for (const typed of ["7850", "7.85 g/cm³", "20 kg/m³", "", "x"]) assert.equal(lightness(typed), "", typed);
 });
 
 const part = (volume, mass_unit = "kg") => ({

@@ -38,7 +38,7 @@ def answers(request: Mapping[str, Any]) -> Iterator[Answer]:
         "document": plain(built_document(built)),
         "origin": kind.origin,
         "remarks": list(element.remarks),
-        "texts": texts(wanted.design),
+        "texts": texts(wanted.design, request.get("density"), request.get("material")),
     }
     yield {"answer": "overlays", **overlays(kind, built)}
     try:

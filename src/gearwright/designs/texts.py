@@ -20,14 +20,17 @@ FILE = "design.toml"
 _COLUMNS = 88
 
 
-def texts(design: Design) -> dict[str, str]:
-    """{"toml": …, "python": …, "command": …}: only what differs from the defaults; uploaded files by their names."""
+def texts(design: Design, density: float | None = None, material: str | None = None) -> dict[str, str]:
+    """{"toml": …, "python": …, "command": …}: only what differs from the defaults; uploaded files by their names.
+
+    density, material   what the command weighs with, kg/m³ or a name; one of them at most
+    """
     files = {name: _file_name(value) for name, value in design.file_names.items()}
     given = {name: files.get(name, value) for name, value in _differing(design).items()}
     return {
         "toml": toml_text({ELEMENT: design.kind.command, **given}),
         "python": _python(design, given),
-        "command": _command(design, given),
+        "command": shlex.join([*_command(design, given), *_weighing(density, material)]),
     }
 
 
@@ -97,15 +100,20 @@ def _quoted(text: str) -> str:
     return plain if '"' in text or plain.startswith('"') else f'"{plain[1:-1]}"'
 
 
-def _command(design: Design, given: Mapping[str, Any]) -> str:
+def _weighing(density: float | None, material: str | None) -> list[str]:
+    options = {"density": None if density is None else _word(density, whole=False), "material": material}
+    return [word for name, value in options.items() if value is not None for word in (option_name(name), value)]
+
+
+def _command(design: Design, given: Mapping[str, Any]) -> list[str]:
     declared = {d.name: d for kind in design.kinds for d in parameters_of(kind)}
     words = ["gearwright", design.kind.command]
     for name, value in given.items():
         said = _words(declared[name], value) if name in declared else None
         if said is None:
-            return f"gearwright build {FILE}"
+            return ["gearwright", "build", FILE]
         words += [option_name(name), *said]
-    return shlex.join(words)
+    return words
 
 
 def _words(declaration: Declaration, value: Any) -> list[str] | None:

@@ -17,6 +17,10 @@ from .requested import Requested, requested
 from .texts import texts
 
 
+_SHOWING = {"drawing": "-section", "sheet": "-sheet"}
+"""What names of files say, where the suffix does not."""
+
+
 def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """{"stage"} again and again, at last {"file", "name"}: where it is, and what it is to be called.
 
@@ -30,7 +34,7 @@ def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     suffix, what, folder = request["suffix"], request["what"], Path(request["folder"])
     design = design_of(request["design"])
     found = requested(request, file_problems(request, design.kind))
-    name = f"{stem(design)}{suffix}"
+    name = f"{stem(design)}{_SHOWING.get(what, '')}{suffix}"
     yield {"stage": f"writing {name}"}
     home = folder / "files"
     home.mkdir()
@@ -48,7 +52,7 @@ def written(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         yield {"file": str(files[0]), "name": files[0].name}
         return
     yield {"stage": f"packing {len(files)} files"}
-    packed = folder / f"{stem(design)}.zip"
+    packed = folder / f"{stem(design)}-{suffix[1:]}.zip"
     with zipfile.ZipFile(packed, "w", compression=zipfile.ZIP_DEFLATED) as archive:
         for path in files:
             archive.write(path, path.relative_to(home))

@@ -80,9 +80,12 @@ _RULES: dict[int, tuple[Array, Array]] = {}
 
 
 def gauss_legendre(nodes: int) -> tuple[Array, Array]:
-    """Nodes and weights (n,) of the Gauss–Legendre rule on [−1, 1], kept after the first use."""
+    """Nodes and weights (n,) of the Gauss–Legendre rule on [−1, 1], kept after the first use, not to be written to."""
     if nodes not in _RULES:
-        _RULES[nodes] = _polished(*np.polynomial.legendre.leggauss(nodes))
+        rule = _polished(*np.polynomial.legendre.leggauss(nodes))
+        for values in rule:
+            values.setflags(write=False)
+        _RULES[nodes] = rule
     return _RULES[nodes]
 
 

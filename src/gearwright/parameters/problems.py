@@ -121,11 +121,12 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
     Raises ParameterError.
     """
     known = {d.name: d for d in declarations(element)}
+    those = f"; there are {', '.join(known)}"
     own = {name: _plain(value) for name, value in values.items() if name in known}
     found = [
         Problem(
             named(name, value, "", ""),
-            f"{element.__name__} has no such parameter{did_you_mean(name, known)}; it has {', '.join(known)}",
+            f"there is no such parameter{did_you_mean(name, known) or those}",
         )
         for name, value in values.items()
         if name not in known

@@ -1,7 +1,7 @@
 // Numbers as a person reads them, in the unit that is shown.
 
 import { INCH } from "./form/quantity";
-import type { Document, LengthUnit, PartDocument, Properties } from "./protocol";
+import type { Document, LengthUnit, Parameter, PartDocument, Properties } from "./protocol";
 
 // So many digits that count, thousands apart.
 export function told(value: number, digits = 4): string {
@@ -19,6 +19,10 @@ export function inShown(value: number, power: number, from: LengthUnit, to: Leng
   if (from === to) return value;
   return to === "in" ? value / INCH ** power : value * INCH ** power;
 }
+
+// The unit that a parameter is given in, as it is shown.
+export const unitWord = (unit: Parameter["unit"], length: LengthUnit) =>
+  ({ length, angle: "°", mm: "mm", "per inch": "1/in", "": "" })[unit];
 
 export const powerWord = (unit: LengthUnit, power: number) => `${unit}${["", "", "²", "³", "⁴", "⁵"][power] ?? ""}`;
 

@@ -23,6 +23,7 @@ interface Group {
 const AXES = ["x", "y", "z"];
 const PLACES: [string, number, number][] = [["xx", 0, 0], ["yy", 1, 1], ["zz", 2, 2], ["xy", 0, 1], ["yz", 1, 2], ["zx", 2, 0]];
 const DIGITS = 8;
+const FEWER = 6; // where there are more columns than two bodies need
 const OFF = "Off by";
 const OFF_MEANS = "Relative; of a point to the size of the part, of inertia to the norm of the tensor";
 const MEANINGS: Record<string, string> = {
@@ -42,7 +43,7 @@ export function massTable(
   const heads = ["Exact", ...beside.map(([of]) => capital(of)), ...(polyhedron ? ["Polyhedron", OFF] : [])];
   const head = element("tr", {}, element("th", { scope: "col" }, "Property"),
     ...heads.map((text) => element("th", { scope: "col", ...(text === OFF ? { title: OFF_MEANS } : {}) }, text)), element("th", { scope: "col", class: "unit" }, "Unit"));
-  const rows = rowsOf(bodies, unit, about).map((row) => tableRow(row, polyhedron !== null));
+  const rows = rowsOf(bodies, unit, about).map((row) => tableRow(row, polyhedron !== null, beside.length ? FEWER : DIGITS));
   return element("table", { class: "values mass" }, caption(name, exact, about, unit), element("thead", {}, head),
     element("tbody", {}, ...rows));
 }
@@ -109,9 +110,9 @@ function diagonal(body: Body): number {
   return box ? Math.hypot(...box[1]!.map((most, i) => most - box[0]![i]!)) : Math.hypot(...body.centroid) || 1;
 }
 
-function tableRow(row: Row, off: boolean): HTMLElement {
+function tableRow(row: Row, off: boolean, digits: number): HTMLElement {
   const cells = row.values.map((value) => {
-    const cell = element("td", {}, value === null ? "–" : told(value, DIGITS));
+    const cell = element("td", {}, value === null ? "–" : told(value, digits));
     if (value !== null) cell.title = `${value}`;
     return cell;
   });

@@ -1,5 +1,6 @@
 // The data sheet that is printed: title, parameters as given, the picture; the tables follow from the page.
 
+import { unitWord } from "./amounts";
 import { unitOf } from "./design";
 import { capital, element, symbol, words } from "./dom";
 import { shown } from "./form/quantity";
@@ -14,7 +15,7 @@ export class Sheet {
     const rows = given.map((parameter) => element("tr", {},
       element("th", { scope: "row" }, capital(words(parameter.name)), " ", parameter.symbol ? symbol(parameter.symbol) : null),
       element("td", {}, text(design[parameter.name]!, parameter)),
-      element("td", {}, { length: unitOf(design), angle: "°", mm: "mm", "per inch": "1/in", "": "" }[parameter.unit])));
+      element("td", {}, unitWord(parameter.unit, unitOf(design)))));
     const image = element("img", { alt: "" });
     if (picture) image.src = picture;
     this.element.replaceChildren(

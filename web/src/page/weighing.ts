@@ -26,6 +26,14 @@ export function density(typed: string): number | string {
   return found.value > 0 ? Number((found.value * factor).toPrecision(12)) : "must be greater than 0";
 }
 
+// A doubt about a number that is hardly one of kg/m³: most handbooks tell g/cm³.
+export function lightness(typed: string): string {
+  const found = density(typed);
+  return typeof found === "number" && found < LIGHTEST && /^[\d.,\s]*$/.test(typed)
+    ? `${shown(found)} kg/m³ is lighter than any solid; if g/cm³ is meant, type ${shown(found)} g/cm³.` : "";
+}
+
+const LIGHTEST = 25; // kg/m³; but for foams
 const TYPED = "typed";
 
 export class Weighing {
@@ -40,6 +48,7 @@ export class Weighing {
   private readonly point: HTMLElement;
   private readonly wrong = element("p", { class: "problem", id: unique("weight-problem") });
   private readonly origin = element("p", { class: "hint" });
+  private readonly light = element("p", { class: "hint", role: "status" });
   private weight: Weight = { density: null, material: null, about: null };
 
   constructor(materials: Material[], private readonly unit: () => LengthUnit, private readonly changed: (weight: Weight) => void) {
@@ -48,7 +57,7 @@ export class Weighing {
     options(this.about, [["", "the part's origin"], ["centroid", "its centroid"], ["point", "a point …"]]);
     this.typed = element("div", { class: "field" },
       element("div", { class: "title" }, element("label", { for: this.density.id }, "Density ", element("i", {}, "ρ")),
-        element("span", { class: "unit" }, "kg/m³")), this.density);
+        element("span", { class: "unit" }, "kg/m³")), this.density, this.light);
     const units = element("div", { class: "title" }, element("span", {}, "Point"), this.lengths);
     this.point = element("div", { class: "field" }, units,
       element("div", { class: "point", role: "group", "aria-label": "Point of reference" }, ...this.coordinates));
@@ -86,6 +95,7 @@ export class Weighing {
     this.units();
     this.typed.hidden = this.material.value !== TYPED;
     this.point.hidden = this.about.value !== "point";
+    this.light.textContent = lightness(this.density.value);
     this.tell("", []);
   }
 
@@ -115,7 +125,8 @@ export class Weighing {
     const bad = found.findIndex((one) => "problem" in one);
     if (bad < 0) return { about: found.map((one) => ("value" in one ? one.value : 0)) as Point };
     const { about } = this.weight;
-    return { about, wrong: (found[bad] as { problem: string }).problem, at: this.coordinates[bad]! };
+    const of = about === null ? "the part's origin" : about === "centroid" ? "the centroid" : "the point before";
+    return { about, wrong: `${"xyz"[bad]}: ${(found[bad] as { problem: string }).problem}; inertia is still about ${of}`, at: this.coordinates[bad]! };
   }
 
   private tell(text: string, at: HTMLElement[]): void {

@@ -1,6 +1,7 @@
 // One parameter of the form: its name in words, symbol and unit, what it means, and what is wrong with it.
 
 import { button, capital, element, symbol, unique, words } from "../dom";
+import { unitWord } from "../amounts";
 import { figureOf } from "../figures";
 import type { Kind, LengthUnit, Parameter, Problem, Value } from "../protocol";
 import type { Changed, Context, Editor } from "./editor";
@@ -59,8 +60,7 @@ export class Field {
   }
 
   units(unit: LengthUnit): void {
-    const told = { length: unit, angle: "°", mm: "mm", "per inch": "1/in", "": "" };
-    this.unit.textContent = told[this.parameter.unit];
+    this.unit.textContent = unitWord(this.parameter.unit, unit);
   }
 }
 

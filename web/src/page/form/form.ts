@@ -9,7 +9,7 @@ import type { Context } from "./editor";
 import { Field } from "./field";
 import { sizeOf } from "./ranges";
 
-const TOGETHER = ["module", "diametral_pitch"]; // one of them is needed, so both stand first
+const TOGETHER = ["module", "diametral_pitch"]; // one of them is needed, so both stand first, and one takes the other's place
 
 // changed: the design, or null where a field holds no value yet
 export class DesignForm {
@@ -73,7 +73,8 @@ export class DesignForm {
 
   private take(parameter: Parameter, value: Value | undefined): void {
     if (parameter.name === "length_unit") this.convert(value === "in" ? "in" : "mm");
-    this.put({ [parameter.name]: value }, parameter.name);
+    const instead = TOGETHER.includes(parameter.name) && value !== undefined ? TOGETHER.filter((name) => name in this.values) : [];
+    this.put({ ...Object.fromEntries(instead.map((name) => [name, undefined])), [parameter.name]: value }, parameter.name);
   }
 
   // The same part in another unit of length.

@@ -1,6 +1,7 @@
 // A value that is more than a number or a word: which form it has, and what that form needs.
 
 import { capital, element, options, unique, words } from "../dom";
+import { unitWord } from "../amounts";
 import { formOf, type Values } from "../design";
 import type { Form, Parameter, Value } from "../protocol";
 import type { Changed, Context, Editor } from "./editor";
@@ -76,15 +77,19 @@ function tableEditor(
       else values[entry.name] = value;
       changed(values);
     });
-    const row = element("div", { class: "entry" }, element("label", { for: id, title: entry.meaning }, capital(words(entry.name))), editor.element);
-    return { entry, editor, row };
+    const unit = element("span", { class: "unit" }, unitWord(entry.unit, context.unit()));
+    const label = element("label", { for: id, title: entry.meaning }, capital(words(entry.name)), " ", unit);
+    return { entry, editor, unit, row: element("div", { class: "entry" }, label, editor.element) };
   });
   return {
     element: element("div", { class: "table-of", role: "group", "aria-label": naming.label }, ...entries.map(({ row }) => row)),
     inputs: entries.flatMap(({ editor }) => editor.inputs),
     set(value) {
       values = typeof value === "object" && value !== null && !Array.isArray(value) ? value : {};
-      for (const { entry, editor } of entries) editor.set(values[entry.name]);
+      for (const { entry, editor, unit } of entries) {
+        unit.textContent = unitWord(entry.unit, context.unit());
+        editor.set(values[entry.name]);
+      }
     },
     problem: () => entries.map(({ editor }) => editor.problem()).find((one) => one !== null) ?? null,
   };
