@@ -6,8 +6,8 @@ import pytest
 
 from gearwright import catalog, sheets
 from gearwright.cli import common_options
-from gearwright.designs import file_problems
 from gearwright.cli.output_problems import output_problems
+from gearwright.designs import file_problems
 from gearwright.sheets.papers import PAPERS
 
 SPUR = "spur --teeth 18 --module 4 --face-width 20 --bore 14".split()

@@ -16,7 +16,6 @@ from .members import members, placed_parts, placements
 from .requested import Requested, requested
 from .texts import texts
 
-
 _SHOWING = {"drawing": "-section", "sheet": "-sheet"}
 """What names of files say, where the suffix does not."""
 
