@@ -473,6 +473,29 @@ test("other values keep the camera and need no topology; another size or element
   await page.close();
 });
 
+test("what grows out of the view is fitted again, until somebody has chosen a view", async () => {
+  const page = await opened(one());
+  await from(page, "z");
+  const scale = await unitsAPixel(page);
+  const wide = one({}, { ...WHEEL, root: 29, tip: 36 }, "wide");
+  await show(page, wide);
+  await keep(page, "wide");
+  const fitted = await unitsAPixel(page);
+  assert.ok(fitted / scale > 1.2, `${fitted / scale}`);
+  const { left, right, top, bottom } = await extent(page, "wide", "a > 250");
+  const [width, height] = await page.evaluate(() => [document.querySelector("canvas").width, document.querySelector("canvas").height]);
+  assert.ok(left > 0 && right < width - 1 && top > 0 && bottom < height - 1, JSON.stringify({ left, right, top, bottom }));
+  await show(page, one());
+  assert.equal(await unitsAPixel(page), fitted);
+  await from(page, "z");
+  await page.locator("canvas").press("+");
+  await keep(page, "chosen");
+  const chosen = await unitsAPixel(page);
+  await show(page, wide);
+  assert.equal(await unitsAPixel(page), chosen);
+  await page.close();
+});
+
 test("from one part to a pair and back", async () => {
   const page = await opened(one());
   assert.equal(await page.getByRole("button", { name: "Run" }).isVisible(), false);

@@ -310,6 +310,14 @@ class TestRegions:
             load(tmp_path, draw)
 
 
+    def test_halves_that_add_up_to_nothing_are_told_as_what_crosses(self, tmp_path):
+        def draw(_, space):
+            space.add_lwpolyline([(0, 0), (10, 10), (10, 0), (0, 10)], close=True)
+
+        with pytest.raises(gw.GeometryError, match=r"10 wide and 10 high, at \(5, 5\): the outline crosses itself"):
+            load(tmp_path, draw)
+
+
 @settings(deadline=None, max_examples=60)
 @given(
     sides=st.lists(st.integers(3, 7), min_size=1, max_size=5),

@@ -14,35 +14,30 @@ import { element } from "./dom";
 import { DesignForm } from "./form/form";
 import { faultOf, hashOf, plain, type State, stateOf } from "./hash";
 import { Header } from "./header";
-import { History } from "./history";
 import { kindOf, startOf } from "./kinds";
 import { listenForFiles } from "./opening";
 import { outputs } from "./outputs";
 import { arranged, type Parts } from "./page_parts";
 import { Pane } from "./pane";
+import { alike, lastKept, Past } from "./past";
 import { plots } from "./plots";
 import type { ApproximationAnswer, Design, Elements, Kind, LengthUnit, Material, ValuesAnswer } from "./protocol";
 import { Sheet } from "./sheet";
 import { Standing } from "./standing";
 import { tables } from "./tables";
 import { Tabs } from "./tabs";
-import { keep, recalled, type Themes } from "./theme";
+import type { Themes } from "./theme";
 import { listenForUndo } from "./undoing";
 import { Weighing } from "./weighing";
 
-const KEY = "gearwright.design";
 const STEEL = "steel";
-const SETTLED = 600; // ms without a change
-
-// What can be come back to: how it is displayed is no part of that.
-const kept = (state: State): State => ({ ...state, tab: "", unit: null });
 
 export class Designer {
   private state: State;
   private kind: Kind;
   private form: DesignForm;
   private readonly seen = new Map<string, Design>(); // the last design of each kind
-  private history: History<State>;
+  private readonly past: Past;
   private readonly announcer = new Announcer();
   private readonly sheet = new Sheet();
   private readonly header: Header;
@@ -57,7 +52,6 @@ export class Designer {
   private readonly copying: ReturnType<typeof copying>;
   private readonly standing: Standing;
   private readonly address = new Address();
-  private settling = 0;
   private readonly steel: string | null;
 
   constructor(
@@ -66,11 +60,10 @@ export class Designer {
     const first = elements.kinds.find((kind) => kind.command === "spur" && kind.members === 2) ?? elements.kinds[0]!;
     this.steel = materials.some((one) => one.name === STEEL) ? STEEL : null;
     const example = this.example(first);
-    const { state, again, note } = beginning(elements.kinds, location.hash, recalled(KEY), example);
+    const { state, again, note } = beginning(elements.kinds, location.hash, lastKept(), example);
     this.state = example;
     this.kind = first;
-    this.history = new History(hashOf, kept(again ? example : state));
-    this.history.settle(kept(state));
+    this.past = new Past(again ? example : state, state, () => this.state, () => this.head());
     this.header = new Header(elements.kinds, {
       kind: (kind) => this.choose(kind), undo: () => this.step("undo"), redo: () => this.step("redo"),
       open: (file) => void this.open(file), compare: () => this.compare(), theme: () => themes.toggle(),
@@ -121,11 +114,11 @@ export class Designer {
     listenForFiles(document.body, (file) => void this.open(file));
     window.addEventListener("hashchange", () => this.addressed());
     window.addEventListener("beforeprint", () => this.print());
-    document.addEventListener("change", () => this.settleSoon());
+    document.addEventListener("change", () => this.past.soon());
     if (note) this.announcer.note(note);
     if (!this.shows(state)) {
-      this.history = new History(hashOf, kept(example));
-      if (again) this.settle(); // what cannot be shown is not kept for the next time either
+      this.past.begin(example);
+      if (again) this.past.settle(); // what cannot be shown is not kept for the next time either
     }
     this.publish("replace");
   }
@@ -173,16 +166,16 @@ export class Designer {
     const before = this.state;
     this.state = { ...this.state, ...part };
     this.publish("replace");
-    this.settleSoon();
+    this.past.soon();
     this.furnish(before);
   }
 
   private choose(kind: Kind): void {
-    this.settle();
+    this.past.settle();
     this.seen.set(this.kind.name, this.state.design);
     const design = this.seen.get(kind.name) ?? startOf(kind, this.kind, this.state.design);
     this.go(this.with(design), "push");
-    this.settle();
+    this.past.settle();
   }
 
   // Shows a state that did not come from the form. Gives whether that was possible.
@@ -233,11 +226,15 @@ export class Designer {
       this.comparing.unit(unit);
       this.tell();
     }
-    this.header.show(this.kind, unit, this.history.undoable, this.history.redoable, this.comparing.on);
-    if (before && hashOf(kept(before)) === hashOf(kept(state))) return;
+    this.head();
+    if (before && alike(before, state)) return;
     this.plots.design(state.design);
     this.outputs.design(state.design, { density: state.density, material: state.material });
     this.ask();
+  }
+
+  private head(): void {
+    this.header.show(this.kind, this.unit, this.past.undoable, this.past.redoable, this.comparing.on);
   }
 
   private ask(): void {
@@ -278,7 +275,7 @@ export class Designer {
   private compare(): void {
     if (this.comparing.on) this.comparing.leave();
     else this.pin();
-    this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
+    this.head();
   }
 
   // What can be compared is what can be built: where the form's design cannot, the last one that was.
@@ -294,9 +291,9 @@ export class Designer {
     try {
       const design = await this.api.read(await file.text());
       if (!kindOf(this.elements.kinds, design)) throw new ApiError("It holds no element that is known here", [], 0);
-      this.settle();
+      this.past.settle();
       const shown = this.go(this.with(design));
-      this.settle();
+      this.past.settle();
       if (shown) this.announcer.note(`${file.name} is open.`);
     } catch (error) {
       this.announcer.note(error instanceof ApiError ? `${file.name}: ${error.message}` : `${file.name} could not be read`, 20_000);
@@ -304,23 +301,10 @@ export class Designer {
   }
 
   private step(way: "undo" | "redo"): void {
-    this.settle();
-    const state = this.history[way]();
+    const state = this.past.step(way);
     if (!state) return;
-    this.go({ ...state, tab: this.state.tab, unit: this.state.unit });
+    this.go(state);
     this.announcer.say(way === "undo" ? "Undone" : "Done again");
-  }
-
-  private settleSoon(): void {
-    clearTimeout(this.settling);
-    this.settling = window.setTimeout(() => this.settle(), SETTLED);
-  }
-
-  private settle(): void {
-    clearTimeout(this.settling);
-    this.history.settle(kept(this.state));
-    keep(KEY, hashOf(kept(this.state)));
-    this.header.show(this.kind, this.unit, this.history.undoable, this.history.redoable, this.comparing.on);
   }
 
   private publish(how: "replace" | "push"): void {
@@ -336,9 +320,9 @@ export class Designer {
       return;
     }
     if (hashOf(state) === hashOf(this.state)) return;
-    this.settle();
+    this.past.settle();
     this.go(state);
-    this.settle();
+    this.past.settle();
   }
 
   private print(): void {

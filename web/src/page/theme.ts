@@ -1,5 +1,7 @@
 // Light or dark: as the system says, until somebody chooses.
 
+import { keep, recalled } from "./storage";
+
 export type Theme = "light" | "dark";
 
 const KEY = "gearwright.theme";
@@ -36,22 +38,5 @@ export class Themes {
   private apply(): void {
     document.documentElement.dataset.theme = this.current;
     this.changed(this.current);
-  }
-}
-
-// Storage may be switched off; the page works without.
-export function recalled(key: string): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-export function keep(key: string, text: string): void {
-  try {
-    localStorage.setItem(key, text);
-  } catch {
-    // nothing is kept then
   }
 }

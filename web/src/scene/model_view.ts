@@ -24,7 +24,6 @@ import { Choices, speedRow, ViewPanel } from "./view_panel";
 const INK = { light: "#1b2026", dark: "#e8edf2" };
 const EDGES: Record<string, [string, number]> = { light: ["#1b2026", 0.75], dark: ["#05070a", 0.9] };
 const [MUCH_LESS, MUCH_MORE] = [0.5, 1.5]; // of the size that was fitted into the view
-const CUT_OFF = 1.05; // of that size, where it still lies in the view as it was fitted
 const WIDE = 700; // pixels that leave room for the panel beside the bodies
 const FREE = 16;
 const RPM = 5;
@@ -78,7 +77,7 @@ export class ModelView {
     this.setTheme(this.theme);
   }
 
-  // Keeps the camera while values change, and fits what is there where it is something else or of another size.
+  // Keeps the camera while values change, and fits what is there where it is something else, of another size or cut off.
   show(frame: ModelFrame): void {
     const { stage } = this;
     if (!stage) return;
@@ -89,8 +88,7 @@ export class ModelView {
     for (const { least, most } of frame.bodies) box.expandByPoint(new three.Vector3(...least)).expandByPoint(new three.Vector3(...most));
     const centre = box.getCenter(new three.Vector3());
     const radius = 0.5 * box.getSize(new three.Vector3()).length();
-    const most = stage.touched ? MUCH_MORE : CUT_OFF;
-    const refit = other || radius > most * this.fitted || radius < MUCH_LESS * this.fitted;
+    const refit = other || radius > MUCH_MORE * this.fitted || radius < MUCH_LESS * this.fitted;
     if (refit) this.middle.copy(centre);
     stage.radius = radius + centre.distanceTo(this.middle);
     this.frame = frame;
@@ -107,7 +105,8 @@ export class ModelView {
     this.contain();
     this.cutting?.refresh();
     this.setUnit(this.wanted);
-    if (refit) {
+    const grown = radius > this.fitted && !stage.touched;
+    if (refit || (grown && !stage.holds(this.bodies))) {
       this.fitted = radius;
       const from = other ? undefined : stage.direction();
       if (other) stage.face(frame);

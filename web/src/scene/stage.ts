@@ -83,8 +83,7 @@ export class Stage {
     this.orbit.target.set(0, 0, 0);
     this.camera.lookAt(this.orbit.target);
     this.camera.updateMatrixWorld();
-    const seen = new three.Box3();
-    for (const body of bodies) body.reach(this.camera.matrixWorldInverse, seen);
+    const seen = this.seen(bodies);
     if (seen.isEmpty()) return;
     const middle = seen.getCenter(new three.Vector3());
     const sides = seen.getSize(new three.Vector3());
@@ -100,6 +99,21 @@ export class Stage {
     this.resize();
     this.orbit.update();
     this.draw();
+  }
+
+  // Whether all bodies lie in the view.
+  holds(bodies: readonly Body[]): boolean {
+    this.camera.updateMatrixWorld();
+    const { min, max } = this.seen(bodies);
+    const [width, height] = this.size().map((one) => one / 2 / this.camera.zoom) as [number, number];
+    return min.x >= -width && max.x <= width && min.y >= -height && max.y <= height;
+  }
+
+  // Where the bodies are before the camera.
+  private seen(bodies: readonly Body[]): three.Box3 {
+    const box = new three.Box3();
+    for (const body of bodies) body.reach(this.camera.matrixWorldInverse, box);
+    return box;
   }
 
   // From where it is looked at now.

@@ -13,6 +13,8 @@ from ...arrays import Array
 from ...curves.curve import Curve, along, chain_quadrature
 from ...curves.line import Line
 from ...errors import GeometryError, Problem
+from ..crossing import crossing_problems
+from ..loop import Loop
 from .listing import first_few, place
 
 if TYPE_CHECKING:
@@ -88,6 +90,10 @@ class _Ring:
     def box(self) -> Array:
         return np.array([self.polygon.min(axis=0), self.polygon.max(axis=0)])
 
+    @property
+    def reach(self) -> float:
+        return float(np.max(np.ptp(self.box, axis=0)))
+
     def __str__(self) -> str:
         width, height = self.box[1] - self.box[0]
         return f"loop about {place(self.box.mean(axis=0))}, {width:.6g} wide and {height:.6g} high"
@@ -104,7 +110,7 @@ def regions(chains: Sequence[Chain], tolerance: float) -> tuple[tuple[Chain, ...
     encloses nothing, is drawn twice or crosses another one.
     """
     rings = [_Ring(chain) for chain in chains]
-    flat = [_flat(ring) for ring in rings if abs(ring.area) <= tolerance * float(np.max(np.ptp(ring.box, axis=0)))]
+    flat = [_flat(ring, tolerance) for ring in rings if abs(ring.area) <= tolerance * ring.reach]
     _refuse(flat or _twins(rings, tolerance))
     inside, crossings = _containment(rings)
     _refuse(crossings)
@@ -160,8 +166,14 @@ def _alike(ring: _Ring, other: _Ring, tolerance: float) -> bool:
     return bool(same_box) and abs(abs(ring.area) - abs(other.area)) <= 4.0 * tolerance * sides
 
 
-def _flat(ring: _Ring) -> Problem:
-    return Problem(f"{ring}", "this encloses nothing: a line there and back; delete it")
+def _flat(ring: _Ring, tolerance: float) -> Problem:
+    """Of a loop whose areas to the left and to the right add up to nothing, or that has none."""
+    import shapely
+
+    if shapely.convex_hull(ring.outline).area <= tolerance * ring.reach:
+        return Problem(f"{ring}", "this encloses nothing: a line there and back; delete it")
+    (crossing, *_) = crossing_problems([Loop(curves=ring.chain)])
+    return Problem(f"{ring}, at {crossing.subject.partition(' at ')[2]}", crossing.message)
 
 
 def _crossing(ring: _Ring, other: _Ring) -> Problem:
