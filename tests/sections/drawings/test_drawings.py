@@ -309,7 +309,6 @@ class TestRegions:
         with pytest.raises(gw.GeometryError, match=r"loop about \(2, 1\), 2 wide and 0 high: this encloses nothing"):
             load(tmp_path, draw)
 
-
     def test_halves_that_add_up_to_nothing_are_told_as_what_crosses(self, tmp_path):
         def draw(_, space):
             space.add_lwpolyline([(0, 0), (10, 10), (10, 0), (0, 10)], close=True)
