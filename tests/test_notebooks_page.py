@@ -29,8 +29,9 @@ def test_the_blocks_print_what_stands_below_them(tmp_path, monkeypatch, capsys):
 
 
 @pytest.fixture
-def notebook():
+def notebook(monkeypatch):
     """A function that runs a cell and gives what it shows, by kind."""
+    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # another one that is active is nothing to warn of
     shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
 
     def run(cell):

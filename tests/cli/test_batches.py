@@ -18,6 +18,7 @@ from gearwright.cli.measuring import Failure, Question, answer
 from gearwright.cli.properties import _lost, _processes
 from gearwright.cli.summing import Sum
 
+from ..signals import begun_with
 from . import work
 from .bodies import CORNERS, FACES
 
@@ -159,12 +160,15 @@ def test_what_is_piped_in_is_one_file(boxes):
 
 def test_an_interrupt_ends_all_processes_quietly(boxes):
     names = [path for _ in range(400) for path in boxes]
-    with subprocess.Popen(
-        gearwright_command(*names, "--jobs", 2, "--json"),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    ) as process:
+    with (
+        begun_with(signal.SIGINT, signal.default_int_handler),
+        subprocess.Popen(
+            gearwright_command(*names, "--jobs", 2, "--json"),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            start_new_session=True,
+        ) as process,
+    ):
         process.stdout.readline()
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         out, err = process.communicate(timeout=60)  # all of them hold the pipe of stdout, which ends with the last

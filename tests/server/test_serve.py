@@ -16,6 +16,8 @@ import pytest
 
 from gearwright.server.hosts import Names
 
+from ..signals import begun_with
+
 
 @contextmanager
 def serving(*words, **variables):
@@ -32,16 +34,6 @@ def serving(*words, **variables):
             yield process, found[1]
         finally:
             process.kill()
-
-
-@contextmanager
-def at_hangup(what):
-    """Has processes that are begun in the block do that when their terminal is closed; nohup has them ignore it."""
-    before = signal.signal(signal.SIGHUP, what)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGHUP, before)
 
 
 def children(pid):
@@ -65,7 +57,7 @@ def answered(address, path="api/materials"):
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
     with (
-        at_hangup(signal.SIG_DFL),
+        begun_with(signal.SIGHUP, signal.SIG_DFL),
         tempfile.TemporaryDirectory(prefix="gw-") as own,
         serving("--port", 0, TMPDIR=own) as (process, address),
     ):
@@ -91,7 +83,7 @@ def test_it_serves_until_it_is_told_to_end_and_leaves_nothing(how):
 
 
 def test_a_closed_terminal_does_not_end_what_was_told_to_go_on():
-    with at_hangup(signal.SIG_IGN), serving("--port", 0) as (process, address):
+    with begun_with(signal.SIGHUP, signal.SIG_IGN), serving("--port", 0) as (process, address):
         process.send_signal(signal.SIGHUP)
         assert answered(address).status_code == 200
         time.sleep(0.5)

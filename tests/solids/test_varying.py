@@ -37,6 +37,8 @@ CROWNED = CrownedGear(parabola(0.004, 0.0, FACE_WIDTH))
 RELIEVED = CrownedGear(Polynomial(coefficients=(0.001, 2e-4, 0.0, 0.0, 6e-8), centre=7.0), teeth=17)
 HIGH = CrownedGear(parabola(0.003, 0.0, FACE_WIDTH), teeth=61)  # its roots lie outside the base circle
 TWISTS = (0.0, 0.3, -2.0)
+FLUX = 4e-14
+"""Products of matrices are summed in an order of the processor's own: on the worst of seven, 1.6e-14 was left."""
 every_gear = pytest.mark.parametrize("gear", [CROWNED, RELIEVED, HIGH], ids=["crowned", "relieved", "high"])
 every_twist = pytest.mark.parametrize("twist", TWISTS)
 
@@ -170,7 +172,7 @@ class TestAllCurvesTurningAlike:
         turning, twisted = self.pair()
         assert twisted.moments.evaluations == 0
         same_moments(turning.moments, twisted.moments, 4e-15)
-        same_moments(flux_moments(turning.boundary), twisted.moments, 4e-15)
+        same_moments(flux_moments(turning.boundary), twisted.moments, FLUX)
 
     def test_points_and_partials(self):
         turning, twisted = self.pair()
@@ -207,7 +209,7 @@ class TestAllCurvesTurningAlike:
         upright = Swept(section=lopsided(self.evenly), motion=back, ends=between(0.0, self.length))
         constant = Swept(section=lopsided(), motion=Straight(), ends=between(0.0, self.length))
         same_moments(upright.moments, constant.moments, 4e-15)
-        same_moments(flux_moments(upright.boundary), constant.moments, 4e-15)
+        same_moments(flux_moments(upright.boundary), constant.moments, FLUX)
 
     def test_scaled_and_skewed(self):
         growing = {"length": self.length, "scale": (1.4, 1.4), "skew": (0.7, -0.3)}

@@ -22,6 +22,7 @@ _FAR = 0.5  # of the greatest volume element: what stays above it comes nowhere 
 _STILL = 1e-14  # of the mean volume element: points on an axis, to rounding
 _DOUBTFUL = 0.02  # of the section's share in the volume element: more than samples on its curves can miss
 _NOUGHT = 1e-12  # of the mean volume element
+_EVEN = 1e-11  # of the mean volume element: rounding of what does not change along the motion
 _SAME = 1e-9  # of the section's size
 _SAMPLES = 8  # points a curve, where the volume element is not linear in them
 
@@ -41,7 +42,7 @@ def inversions(section: LoopedSection, motion: Motion, ends: Ends) -> list[Probl
     limit = -_STILL * scale if motion.has_still_points else _NOUGHT * scale
     if np.min(rough - _DOUBTFUL * doubt) > _FAR * np.max(rough):
         return []
-    steady = not np.any(np.ptp(least.coefficients(stations), axis=0))  # as of a revolution
+    steady = np.ptp(least.coefficients(stations), axis=0).max() <= _EVEN * scale  # as of a revolution or a helix
     worst = float(stations[0]) if steady else lowest(lambda v: least.exactly(v)[0], stations, rough, _MOST_DIPS)
     value, point = least.exactly(worst)
     if value > limit:

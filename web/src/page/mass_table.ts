@@ -44,7 +44,7 @@ export function massTable(
   const head = element("tr", {}, element("th", { scope: "col" }, "Property"),
     ...heads.map((text) => element("th", { scope: "col", ...(text === OFF ? { title: OFF_MEANS } : {}) }, text)), element("th", { scope: "col", class: "unit" }, "Unit"));
   const rows = rowsOf(bodies, unit, about).map((row) => tableRow(row, polyhedron !== null, beside.length ? FEWER : DIGITS));
-  return element("table", { class: "values mass" }, caption(name, exact, about, unit), element("thead", {}, head),
+  return element("table", { class: beside.length ? "values mass many" : "values mass" }, caption(name, exact, about, unit), element("thead", {}, head),
     element("tbody", {}, ...rows));
 }
 
