@@ -9,11 +9,11 @@ from typing import Literal
 import numpy as np
 
 from ..arrays import Array, ArrayLike
+from ..curves.crossing import crossing
 from ..curves.traces.trace import Trace
 from ..elements.bevel.bevel_gear import BevelGear
 from ..elements.bevel.bevel_pair import BevelPair
 from .flank import BevelFlank, Flank
-from .search import crossing
 
 Side = Literal["drive", "coast"]
 """Which flanks touch: those that push as the pinion turns positively about +z of its frame, or the other ones."""

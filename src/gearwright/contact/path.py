@@ -14,10 +14,11 @@ import numpy as np
 from numpy.polynomial import Chebyshev
 
 from ..arrays import Array, ArrayLike, Indices
+from ..curves.crossing import crossing
 from ..errors import GeometryError, Problem
 from .graded import Graded
 from .mesh import Mesh, Side
-from .search import crossing, stretches
+from .search import stretches
 
 _DEGREE = 40  # of the height touched over the turn, in which it is analytic
 _LOOKED_AT = 129  # cone distances among which the ends of teeth are seen

@@ -1,4 +1,4 @@
-"""Roots, signs and maxima of many functions of one variable at once: column i of arrays belongs to the i-th one."""
+"""Signs and maxima of many functions of one variable at once: column i of arrays belongs to the i-th one."""
 
 from __future__ import annotations
 
@@ -7,32 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from ..arrays import Array, Indices
+from ..curves.crossing import crossing
 
 Function = Callable[[Array], Array]
 
-_MOST_STEPS = 60
-_ROUNDING = 4.0 * np.finfo(float).eps
 _GOLDEN = (3.0 - np.sqrt(5.0)) / 2.0
-
-
-def crossing(function: Function, low: Array, high: Array) -> Array:
-    """Where functions change sign between low and high (n,), to rounding, by the Illinois rule.
-
-    Where there is no change of sign, the end nearer to one.
-    """
-    a, b, at_a, at_b = low.astype(float), high.astype(float), function(low), function(high)
-    for _ in range(_MOST_STEPS):
-        rise = at_b - at_a
-        secant = b - at_b * (b - a) / np.where(rise == 0.0, 1.0, rise)
-        x = np.clip(np.where(rise == 0.0, a, secant), np.minimum(a, b), np.maximum(a, b))
-        at_x = function(x)
-        changed = at_x * at_b <= 0.0
-        a, at_a = np.where(changed, b, a), np.where(changed, at_b, at_a / 2.0)
-        done = np.abs(x - b) <= _ROUNDING * (1.0 + np.abs(x))
-        b, at_b = x, at_x
-        if np.all(done | (at_b == 0.0)):
-            break
-    return b
 
 
 def stretches(function: Callable[[Indices, Array], Array], grid: Array) -> tuple[Indices, Array, Array]:

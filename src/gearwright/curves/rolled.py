@@ -20,9 +20,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, ArrayLike
+from .crossing import crossing
 from .curve import Curve
-
-_STEPS = 60  # bisections: to the last digit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,20 +73,13 @@ class RolledCurve(Curve):
     def at_polar_angle(self, polar: ArrayLike) -> Array:
         """Parameter u (...) at polar angles (...) of an interval in which the polar angle grows or falls throughout.
 
-        By bisection; polar angles outside the interval's give its ends.
+        Polar angles outside the interval's give its ends.
         """
         target = np.asarray(polar, float)
-        a, b = (
-            self.interval
-            if self.polar_angle(self.interval[0]) <= self.polar_angle(self.interval[1])
-            else (self.interval[::-1])
+        start, end = self.interval
+        return crossing(
+            lambda u: self.polar_angle(u) - target, np.full(target.shape, start), np.full(target.shape, end)
         )
-        low, high = np.full(target.shape, float(a)), np.full(target.shape, float(b))
-        for _ in range(_STEPS):
-            middle = (low + high) / 2.0
-            beyond = self.polar_angle(middle) > target
-            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        return (low + high) / 2.0
 
     def _in_gear(self, turn: Array, along: Array, beside: Array, across: Array) -> Array:
         """Vectors (..., 3) in the turned gear."""

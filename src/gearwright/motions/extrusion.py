@@ -51,8 +51,11 @@ class Extrusion(ParallelMotion):
 
     def _turn(self, t: Array) -> Array:
         angle = self.near_angle + self.twist * t
-        c, s = np.cos(angle), np.sin(angle)
-        return np.stack([np.stack([c, -s], axis=-1), np.stack([s, c], axis=-1)], axis=-2)
+        turned = np.empty((*angle.shape, 2, 2))
+        turned[..., 0, 0] = turned[..., 1, 1] = np.cos(angle)
+        turned[..., 1, 0] = np.sin(angle)
+        turned[..., 0, 1] = -turned[..., 1, 0]
+        return turned
 
     def _scales(self, t: Array) -> Array:
         return 1.0 + (np.array(self.scale) - 1.0) * t[..., None]

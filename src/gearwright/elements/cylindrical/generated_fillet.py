@@ -8,12 +8,12 @@ from functools import cached_property
 import numpy as np
 
 from ...arrays import Array, ArrayLike
+from ...curves.crossing import crossing
 from ...curves.trochoid import Trochoid
 from .rack_tip import RackTip
 from .toothing import Toothing
 
 _SAMPLES = 257
-_STEPS = 60  # bisections: to the last digit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,15 +90,18 @@ class GeneratedFillet:
         return max(self.toothing.base_radius, float(self._polar(self.join)[0]))
 
     def at_radius(self, radius: ArrayLike) -> Array:
-        """Parameter t (...) of the fillet at radii (...) from the root circle to that where t is the pressure angle."""
-        target = np.asarray(radius, float)
-        low = np.full(target.shape, self.toothing.transverse_pressure_angle)
-        high = np.full(target.shape, np.pi / 2.0)
-        for _ in range(_STEPS):
-            middle = (low + high) / 2.0
-            outside = self._polar(middle)[0] > target
-            low, high = np.where(outside, middle, low), np.where(outside, high, middle)
-        return (low + high) / 2.0
+        """Parameter t (...) of the fillet at radii (...) from the root circle to that where t is the pressure angle.
+
+        The radius rises from the root circle as the square of π/2 − t; its root √(r − r_f) rises evenly.
+        """
+        land, flank = np.pi / 2.0, self.toothing.transverse_pressure_angle
+        foot, top = (float(self._polar(t)[0]) for t in (land, flank))
+        wanted = np.sqrt(np.clip(np.asarray(radius, float), foot, top) - foot)
+
+        def excess(t: Array) -> Array:
+            return np.sqrt(np.maximum(self._polar(t)[0] - foot, 0.0)) - wanted
+
+        return crossing(excess, np.full(wanted.shape, land), np.full(wanted.shape, flank))
 
     def half_angle(self, radius: ArrayLike) -> Array:
         """Half the angle (...) of a tooth at radii (...) of its fillets."""
