@@ -121,12 +121,11 @@ def from_mapping(element: type[T], values: Mapping[str, Any]) -> T:
     Raises ParameterError.
     """
     known = {d.name: d for d in declarations(element)}
-    those = f"; there are {', '.join(known)}"
     own = {name: _plain(value) for name, value in values.items() if name in known}
     found = [
         Problem(
             named(name, value, "", ""),
-            f"there is no such parameter{did_you_mean(name, known) or those}",
+            f"there is no such parameter{did_you_mean(name, known) or '; `gearwright schema` lists all'}",
         )
         for name, value in values.items()
         if name not in known
