@@ -53,6 +53,15 @@ async def gone(pid):
         await asyncio.sleep(0.02)
 
 
+def test_linear_algebra_has_the_thread_that_works_unless_somebody_says_otherwise():
+    async def doing(pool):
+        (answer,) = await taken(pool.submit(source(work.multiply), {}, seconds=SECONDS))
+        return answer["threads"]
+
+    threads = in_pool(doing)
+    assert threads == 1 + int(os.environ["OPENBLAS_NUM_THREADS"])  # and one that hears what is cancelled
+
+
 def test_answers_come_one_by_one_while_the_job_still_runs():
     async def doing(pool):
         job = pool.submit(source(work.sleep), {}, seconds=SECONDS)

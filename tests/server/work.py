@@ -9,6 +9,8 @@ import time
 import warnings
 from pathlib import Path
 
+import numpy as np
+
 from gearwright.errors import FileError, MachineError, ParameterError, Problem
 
 
@@ -17,6 +19,12 @@ def count(request):
     for k in range(request["to"]):
         time.sleep(request.get("pause", 0.0))
         yield {"k": k, "pid": os.getpid()}
+
+
+def multiply(request):
+    """How many threads the process has after a product that linear algebra would rather share out."""
+    np.ones((800, 800)) @ np.ones((800, 800))
+    yield {"threads": len(os.listdir("/proc/self/task"))}
 
 
 def sleep(request):

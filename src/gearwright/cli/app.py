@@ -11,6 +11,7 @@ import cyclopts
 
 from .. import __version__, catalog
 from ..designs.kinds import commands, option_name, teeth_given
+from ..library_threads import one_thread
 from .exits import DONE, report
 
 EPILOGUE = """Lengths are millimetres unless --length-unit says otherwise, angles degrees.
@@ -67,6 +68,7 @@ def _help(command: str) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line on the arguments (those of the process, if None) and gives the exit code."""
+    one_thread()
     words = list(sys.argv[1:] if arguments is None else arguments)
     _open_missing_streams()
     for stream in (sys.stdout, sys.stderr):

@@ -10,6 +10,7 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import Any, final
 
+from ..library_threads import one_thread
 from .worker import main
 
 _PRELOAD = ["gearwright.server.preload"]
@@ -49,6 +50,7 @@ class Process:
 
     def start(self, loop: asyncio.AbstractEventLoop, arrived: Arrived, lost: Lost) -> None:
         """Starts it, which takes its time: not for the loop's own thread. What it sends is told in the loop."""
+        one_thread()
         context = _context()
         ours, theirs = context.Pipe(duplex=True)
         process = context.Process(target=main, args=(theirs, *self._arguments), daemon=True, name="gearwright worker")
