@@ -24,7 +24,7 @@ def count(request):
 def multiply(request):
     """How many threads the process has after a product that linear algebra would rather share out."""
     np.ones((800, 800)) @ np.ones((800, 800))
-    yield {"threads": len(os.listdir("/proc/self/task"))}
+    yield {"threads": len(list(Path("/proc/self/task").iterdir()))}
 
 
 def sleep(request):
