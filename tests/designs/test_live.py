@@ -40,6 +40,12 @@ def test_every_kind_has_an_example_to_begin_with_and_is_told_whole(kind):
     assert bool(overlays["lines"]) == (kind.members == 2)
 
 
+def test_the_shape_and_the_rest_are_what_is_told_whole():
+    design = {"design": start("spur pair"), "id": 3}
+    whole = list(answers(design))
+    assert [*answers({**design, "part": "shape"}), *answers({**design, "part": "rest"})] == whole
+
+
 def test_the_pair_turns_as_its_teeth_say():
     pair = start("spur pair")
     header, _ = read(next(answers({"design": pair})))

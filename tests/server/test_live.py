@@ -90,6 +90,23 @@ def test_connections_that_ask_for_much_leave_others_a_worker(server):
         assert answers(modest, 1)[-1]["answer"] == "done"
 
 
+def test_where_many_wait_all_have_their_shapes_before_anybody_has_more():
+    with running(jobs=JOBS, limits=LIMITS, quick=1) as server, ExitStack() as held:
+        holding, *others = (held.enter_context(server.live()) for _ in range(5))
+        ask(holding, 1, do="slow")
+        holding.recv(timeout=30)
+        for waiting, connection in enumerate(others, 1):
+            ask(connection, 1, do="note the time")
+            while workers(server)["waiting"] < waiting:
+                time.sleep(0.01)
+        ask(holding, 2)
+        first, *rest = [[one["at"] for one in answers(connection, 1) if "at" in one] for connection in others]
+        assert [len(one) for one in (first, *rest)] == [2] * 4
+        shapes, values = zip(*rest, strict=True)
+        assert sorted(shapes) + sorted(values) == [*shapes, *values]
+        assert max(shapes) < min(values)
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from gearwright.server.files import Files
+from gearwright.server.job import Rank
 from gearwright.server.outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from gearwright.server.pool import Pool
 
@@ -301,9 +302,9 @@ def test_what_goes_first_has_a_worker_kept_and_overtakes_what_waits():
     async def doing(pool):
         others = [pool.submit(source(work.sleep), {}, seconds=SECONDS) for _ in range(3)]
         await anext(aiter(others[0]))
-        holding = pool.submit(source(work.sleep), {}, seconds=SECONDS, first=True)
+        holding = pool.submit(source(work.sleep), {}, seconds=SECONDS, rank=Rank.SHOWN)
         await anext(aiter(holding))
-        looked_at = pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, first=True)
+        looked_at = pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, rank=Rank.SHOWN)
         before = pool.numbers
         others[0].cancel()  # its worker is free now, and the one that is looked at came after the others
         await taken(looked_at)
@@ -314,13 +315,36 @@ def test_what_goes_first_has_a_worker_kept_and_overtakes_what_waits():
     assert ended == [True, False, False]
 
 
+def test_jobs_are_begun_by_rank_and_in_the_order_they_came():
+    async def doing(pool):
+        holding = pool.submit(source(work.sleep), {}, seconds=SECONDS)
+        await anext(aiter(holding))
+        ranks = [Rank.OTHER, Rank.BESIDE, Rank.SHOWN, Rank.BESIDE, Rank.SHOWN, Rank.OTHER]
+        order = []
+
+        async def follow(number, rank):
+            crowded = pool.crowded
+            await taken(pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, rank=rank))
+            order.append(number)
+            return crowded
+
+        following = [asyncio.ensure_future(follow(*one)) for one in enumerate(ranks)]
+        await asyncio.sleep(0.1)
+        holding.cancel()
+        return await asyncio.gather(*following), order
+
+    crowded, order = in_pool(doing, grace=0.0)
+    assert crowded == [False, False, False, True, True, True]
+    assert order == [2, 4, 1, 3, 0, 5]
+
+
 def test_what_waits_too_long_turns_away_only_its_like():
     async def doing(pool):
         for _ in range(3):
             pool.submit(source(work.sleep), {}, seconds=SECONDS)
         with pytest.raises(BusyError):
             pool.submit(source(work.sleep), {}, seconds=SECONDS)
-        return await taken(pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, first=True))
+        return await taken(pool.submit(source(work.count), {"to": 1}, seconds=SECONDS, rank=Rank.SHOWN))
 
     assert len(in_pool(doing, size=2, kept=1, most_waiting=3)) == 1
 

@@ -91,6 +91,11 @@ def live(request):
             yield frame({"answer": "mesh", "id": request["id"]}, bytes(design["bytes"]))
         case "sleep" | "die" | "refuse" | "fault" as word:
             yield from globals()[word](request)
+        case "note the time":
+            if request.get("part") != "rest":
+                yield frame({"answer": "mesh", "id": request["id"], "at": time.monotonic()}, b"")
+            if request.get("part") != "shape":
+                yield {"answer": "values", "at": time.monotonic()}
         case _:
             yield frame({"answer": "mesh", "id": request["id"], "title": design.get("title")}, b"\1\2\3\4")
             yield {"answer": "values", "have": request.get("have")}

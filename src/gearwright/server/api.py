@@ -20,7 +20,7 @@ from ..materials import MATERIALS
 from ..parameters import did_you_mean
 from .bodies import BUILD, FILES, PLOTS, READ, TEXTS, Field, body_problems
 from .files import FileJob, Files
-from .job import Job
+from .job import Job, Rank
 from .job_names import JobNames, admitted
 from .leaving import while_there
 from .openapi import document
@@ -154,7 +154,7 @@ class Api:
         key = f"{source} {json.dumps(asked)}"
         task = self._known.get(key)
         if task is None or (task.done() and (task.cancelled() or task.exception() is not None)):
-            job = self._quick.submit(source, asked, seconds=_SECONDS["known"], first=True)
+            job = self._quick.submit(source, asked, seconds=_SECONDS["known"], rank=Rank.SHOWN)
             task = self._known[key] = asyncio.ensure_future(_only(job))
         return await asyncio.shield(task)
 

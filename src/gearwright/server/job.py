@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
+from enum import IntEnum
 from typing import Any, final
 
 from .outcomes import JobCancelledError, JobError, JobFailedError
@@ -13,13 +14,21 @@ MOST_UNREAD = 512 << 20
 """Bytes of answers that may wait to be taken."""
 
 
+class Rank(IntEnum):
+    """Which of the jobs that wait is done next."""
+
+    SHOWN = 0  # somebody looks at where it will appear
+    BESIDE = 1  # what is told besides
+    OTHER = 2
+
+
 @final
 class Job:
     """Answers of a worker, to be taken by `async for`, which raises JobError where it did not end by itself.
 
     number, source, request   as the worker gets them
     seconds                   how long it may run
-    first                     whether it goes before those that are not
+    rank                      lower ones go first
     less                      what to ask for where it takes too long
     """
 
@@ -31,11 +40,11 @@ class Job:
         cancel: Callable[[Job], None],
         *,
         seconds: float,
-        first: bool,
+        rank: Rank,
         less: str,
     ):
         self.number, self.source, self.request = number, source, request
-        self.seconds, self.first, self.less = seconds, first, less
+        self.seconds, self.rank, self.less = seconds, rank, less
         self.ended = asyncio.Event()
         self.cancelled = False
         self._cancel = cancel

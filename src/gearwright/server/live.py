@@ -12,7 +12,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from .bodies import ASK, body_problems
 from .buckets import Bucket
-from .job import Job
+from .job import Job, Rank
 from .outcomes import LOST, BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from .plain_json import NoJsonError, parsed, written
 from .pool import Pool
@@ -133,21 +133,19 @@ class _Connection:
                 await self._answer_one(asked)
 
     async def _answer_one(self, asked: dict[str, Any]) -> None:
-        """Streams the answers. What is left of an older job ends by itself: the next does not wait for it."""
+        """Streams the answers. What is left of an older job ends by itself: the next does not wait for it.
+
+        Where others wait, too, all get their shapes before anybody gets more.
+        """
         number, begun = asked["id"], time.monotonic()
         try:
-            source, request = self._wrap(asked)
-            self._job = self._pool.submit(source, request, seconds=self._limits.seconds, first=True)
-            ended = False
-            async for answer in self._job:
-                if self._job.cancelled:
-                    continue
-                if isinstance(answer, dict):
-                    ended = ended or answer.get("answer") == "done"
-                    await self._send({"id": number, **answer})
-                else:
-                    await self._sent(self._websocket.send_bytes(answer))
-            if not ended:
+            if self._pool.crowded:
+                await self._stream({**asked, "part": "shape"}, Rank.SHOWN)
+                if self._newest is None:
+                    await self._stream({**asked, "part": "rest"}, Rank.BESIDE)
+            else:
+                await self._stream(asked, Rank.SHOWN)
+            if self._newest is None:
                 await self._send({"answer": "done", "id": number, "seconds": round(time.monotonic() - begun, 4)})
         except JobCancelledError:
             pass
@@ -164,6 +162,18 @@ class _Connection:
             if self._job is not None:
                 self._job.cancel()
             self._job = None
+
+    async def _stream(self, asked: dict[str, Any], rank: Rank) -> None:
+        """Passes on what a job answers. Raises JobError where it does not end by itself."""
+        source, request = self._wrap(asked)
+        self._job = self._pool.submit(source, request, seconds=self._limits.seconds, rank=rank)
+        async for answer in self._job:
+            if self._job.cancelled:
+                continue
+            if isinstance(answer, dict):
+                await self._send({"id": asked["id"], **answer})
+            else:
+                await self._sent(self._websocket.send_bytes(answer))
 
     async def _send(self, value: dict[str, Any]) -> None:
         await self._sent(self._websocket.send_text(written(value)))

@@ -8,7 +8,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Any, final
 
-from .job import Job
+from .job import Job, Rank
 from .outcomes import BusyError, JobCancelledError, JobFailedError, JobRefusedError
 from .processes import Process
 
@@ -46,7 +46,7 @@ class Numbers:
 class Pool:
     """So many workers, and spare ones that step in for those lost.
 
-    Jobs are begun in the order they came, those that go first before the others. kept   workers that only those have
+    Jobs are begun by their rank and in the order they came. kept   workers that have none of the last rank
     """
 
     def __init__(
@@ -80,24 +80,29 @@ class Pool:
             alive=len(self._processes), busy=len(self._running), replaced=self._replaced, waiting=len(self._waiting)
         )
 
+    @property
+    def crowded(self) -> bool:
+        """Whether others wait for what they look at."""
+        return any(one.rank is Rank.SHOWN for one in self._waiting)
+
     def start(self) -> None:
         """Begins to start the workers; jobs can be submitted at once."""
         for _ in range(self._size):
             self._start_one()
 
-    def submit(self, source: str, request: Any, *, seconds: float, first: bool = False, less: str = LESS) -> Job:
+    def submit(self, source: str, request: Any, *, seconds: float, rank: Rank = Rank.OTHER, less: str = LESS) -> Job:
         """A job for the next free worker.
 
         source    of a generator function of the request
         seconds   after which its worker is killed
-        first     whether somebody looks at what it answers, so that it goes before others
+        rank      whether somebody looks at what it answers
         less      what to ask for where it takes too long
 
-        Raises BusyError where too many of its kind wait.
+        Raises BusyError where too many of its rank wait.
         """
-        if self._closed or sum(one.first == first for one in self._waiting) >= self._most_waiting:
+        if self._closed or sum(one.rank is rank for one in self._waiting) >= self._most_waiting:
             raise BusyError("The server is busy; try again in a few seconds.")
-        job = Job(next(self._numbers), source, request, self._cancel, seconds=seconds, first=first, less=less)
+        job = Job(next(self._numbers), source, request, self._cancel, seconds=seconds, rank=rank, less=less)
         self._waiting.append(job)
         self._dispatch()
         if job in self._waiting:
@@ -158,10 +163,10 @@ class Pool:
             process.send((job.number, job.source, job.request))
 
     def _next(self) -> Job | None:
-        """The job that waits for the next free worker; None where that is kept for such as go first."""
-        others = sum(not job.first for job in self._running.values())
-        fitting = (job for job in self._waiting if job.first)
-        return next(fitting, self._waiting[0] if self._waiting and others < self._most_others else None)
+        """The job that waits for the next free worker; None where that is kept for such as somebody looks at."""
+        found = min(self._waiting, key=lambda job: job.rank, default=None)
+        others = sum(job.rank is Rank.OTHER for job in self._running.values())
+        return None if found is not None and found.rank is Rank.OTHER and others >= self._most_others else found
 
     def _tell_later(self, job: Job) -> None:
         loop = asyncio.get_running_loop()
