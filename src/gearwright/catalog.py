@@ -27,6 +27,7 @@ class Element:
 
     command   the subcommand of the command line that builds it
     members   how many parts it has: 1, or 2 for a pair
+    mate      what people call a pair's second member, whose name for programs is "gear"
     diagram   what draws the diagram of its motion: a function of the element and a path, if there is one
     running   what tells how it runs: a function of the element that gives values by name, if there is one
     origin    what is at the origin of a part's frame
@@ -43,6 +44,7 @@ class Element:
     command: str
     origin: str
     members: Literal[1, 2] = 1
+    mate: str = "gear"
     settled: Mapping[str, str] = field(default_factory=dict)
     start: Mapping[str, Any] = field(default_factory=dict)
     plane: bool = False
@@ -116,6 +118,7 @@ ELEMENTS = (
     *(
         Element(
             name=f"{kind} pair" if kind != "rack" else "rack and pinion",
+            mate="gear" if kind != "rack" else "rack",
             summary=summary,
             source="gearwright.elements.cylindrical.gear_pair:GearPair",
             command=kind,

@@ -54,6 +54,7 @@ def test_the_pair_turns_as_its_teeth_say():
     rack, _ = read(next(answers({"design": start("rack and pinion")})))
     assert rack["bodies"][1]["spin"] == 0
     assert any(rack["bodies"][1]["slide"])
+    assert [(body["name"], body["called"]) for body in rack["bodies"]] == [("pinion", "pinion"), ("gear", "rack")]
 
 
 def test_cones_and_cylinders_are_the_sizes():

@@ -18,7 +18,7 @@ TOLERANCE = 1e-3  # of the diagonal
 def message(part, known=()):
     boundary = built(part).boundary
     drawn = shells(boundary, sampling(boundary, TOLERANCE * size(part)))
-    body = DrawnBody(name="part", colour=(0.5, 0.5, 0.5), shells=drawn, placement=np.eye(4))
+    body = DrawnBody(name="part", called="part", colour=(0.5, 0.5, 0.5), shells=drawn, placement=np.eye(4))
     return frame({"answer": "mesh"}, [body], known)
 
 
@@ -57,7 +57,7 @@ def test_a_bore_that_reaches_beyond_the_line_between_roots_is_open():
     gear = gw.SpurGear(teeth=8, module=4, face_width=10, bore=20.8)
     drawn = shells(gear.boundary, sampling(gear.boundary, 0.01))
     assert gear.root_radius * np.cos(np.pi / 8) < 10.4
-    body = DrawnBody(name="part", colour=(0.5, 0.5, 0.5), shells=drawn, placement=np.eye(4))
+    body = DrawnBody(name="part", called="part", colour=(0.5, 0.5, 0.5), shells=drawn, placement=np.eye(4))
     corners, _, _ = drawn_by(frame({}, [body]))
     flat = np.abs(corners[:, :, 2] - 10.0).max(axis=1) < 1e-4
     areas = np.cross(corners[flat, 1] - corners[flat, 0], corners[flat, 2] - corners[flat, 0])[:, 2] / 2.0

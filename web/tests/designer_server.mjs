@@ -48,7 +48,7 @@ export const ELEMENTS = {
       parameter("length_unit", { kind: "choice", choices: ["mm", "in"], default: "mm" }),
     ]],
   ].map(([name, command, members, start, parameters]) => ({
-    name, command, members, summary: name, origin: "on the axis", plane: true, start, plots: [], formats: [], parameters,
+    name, command, members, mate: command === "rack" ? "rack" : "gear", summary: name, origin: "on the axis", plane: true, start, plots: [], formats: [], parameters,
   })),
 };
 

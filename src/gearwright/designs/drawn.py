@@ -17,7 +17,7 @@ from ..pictures.camera import Shape, View, view_of
 from ..viewer.frame import DrawnBody, frame
 from ..viewer.shells import Shell, shells
 from ..viewer.turning import AT_REST, STEP, Turning
-from .members import members, placements
+from .members import called, members, placements
 
 TOLERANCE = 1e-4
 """How far what is drawn may lie from the exact surface, by the diagonal of each body's edges."""
@@ -46,6 +46,7 @@ def drawn(kind: catalog.Element, element: Any, number: int | None, known: Collec
     bodies = [
         DrawnBody(
             name=name,
+            called=called(kind, name),
             colour=(BRASS, STEEL)[i % 2],
             shells=_shells(part.boundary),
             placement=placed[i],

@@ -31,6 +31,7 @@ def _kind(kind: catalog.Element) -> Plain:
         "summary": kind.summary,
         "command": kind.command,
         "members": kind.members,
+        "mate": kind.mate,
         "origin": kind.origin,
         "plane": kind.plane,
         "start": {"element": kind.command, **kind.start},

@@ -64,7 +64,7 @@ FILE_FORMATS = (
     ),
     FileFormat(
         name="STEP",
-        summary="smooth solids; read as polyhedra to a tolerance (extra step)",
+        summary="smooth solids, for CAD",
         suffixes=(".step", ".stp"),
         parser="gearwright.files.step.reading:parse",
         writer="gearwright.files.step.writer:write",

@@ -27,9 +27,13 @@ _FULL = 32767  # int16
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DrawnBody:
-    """A body where it stands. placement (4, 4) puts it there; turning says how it moves from there"""
+    """A body where it stands. placement (4, 4) puts it there; turning says how it moves from there
+
+    called   what people call it
+    """
 
     name: str
+    called: str
     colour: tuple[float, float, float]
     shells: Sequence[Shell]
     placement: Array
@@ -76,6 +80,7 @@ def _body(body: DrawnBody, known: Collection[str], buffers: _Buffers) -> dict[st
     placed = np.concatenate([_placed(body.placement, _box_corners(shell)) for shell in body.shells])
     return {
         "name": body.name,
+        "called": body.called,
         "colour": body.colour,
         "place": body.placement.reshape(-1).tolist(),
         "spin": body.turning.spin,

@@ -33,10 +33,13 @@ export function partsOf(document: Document): [name: string, part: PartDocument][
     .filter(([, part]) => typeof part === "object" && part !== null && ("properties" in part || "sizes" in part));
 }
 
+// What people call a part. mate: what they call the second of a pair
+export const called = (name: string, mate: string) => (name === "gear" ? mate : name);
+
 // "Volume 41 230 mm³, mass 0.324 kg", of each part.
-export function summary(document: Document, unit: LengthUnit): string {
+export function summary(document: Document, unit: LengthUnit, mate = "gear"): string {
   const told_ = partsOf(document).filter(([, part]) => part.properties)
-    .map(([name, part]) => `${name ? `${name}: volume` : "Volume"} ${ofOne(part.properties!, unit)}`);
+    .map(([name, part]) => `${name ? `${called(name, mate)}: volume` : "Volume"} ${ofOne(part.properties!, unit)}`);
   const text = told_.join("; ");
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

@@ -256,7 +256,7 @@ export class Designer {
   }
 
   private take(values: ValuesAnswer, approximation: ApproximationAnswer | null): void {
-    this.tables.show(values, approximation, this.unit, this.state.about);
+    this.tables.show(values, approximation, this.unit, this.state.about, this.kind.mate);
     this.comparing.show(values);
     this.standing.came();
     if (approximation) return;
@@ -267,7 +267,7 @@ export class Designer {
   private tell(): void {
     const values = this.pane?.values;
     if (!values || !partsOf(values.document).length) return;
-    const text = summary(values.document, this.unit);
+    const text = summary(values.document, this.unit, this.kind.mate);
     this.parts.strip.textContent = text;
     this.announcer.say([text, ...values.remarks].join(". "));
   }

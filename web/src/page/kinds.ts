@@ -21,8 +21,7 @@ export function grouped(kinds: Kind[]): [command: string, kinds: Kind[]][] {
 }
 
 // The two members of a pair, in words.
-export const memberNames = (kind: Kind): [string, string] =>
-  kind.command === "rack" ? ["pinion", "rack"] : ["pinion", "gear"];
+export const memberNames = (kind: Kind): [string, string] => ["pinion", kind.mate];
 
 const ALIKE = ["spur", "helical", "herringbone"];
 const SHARED = ["teeth", "module", "diametral_pitch", "face_width", "pressure_angle", "length_unit"];

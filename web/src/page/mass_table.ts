@@ -3,7 +3,7 @@
 import { inShown, powerWord, told } from "./amounts";
 import { capital, element, symbol } from "./dom";
 import { clean, inertiaAbout, norm, type Tensor } from "./inertia";
-import type { About, ApproximationAnswer, LengthUnit, PartDocument, Properties } from "./protocol";
+import type { About, LengthUnit, PartDocument, Properties } from "./protocol";
 
 interface Row {
   name: string;
@@ -34,11 +34,11 @@ const MEANINGS: Record<string, string> = {
 type Body = Properties & { inertia: Tensor; central_inertia: Tensor; density: number; radii_of_gyration: number[]; error_bound: number | null };
 
 export function massTable(
-  name: string, part: PartDocument, approximation: ApproximationAnswer | null, unit: LengthUnit, about: About,
+  name: string, part: PartDocument, approximation: Record<string, unknown> | null, unit: LengthUnit, about: About,
 ): HTMLElement {
   const exact = part.properties as Body;
   const beside = Object.entries((part.beside ?? {}) as Record<string, Body>);
-  const polyhedron = approximated(approximation, name);
+  const polyhedron = approximation as Body | null;
   const bodies = [exact, ...beside.map(([, body]) => body), ...(polyhedron ? [polyhedron] : [])];
   const heads = ["Exact", ...beside.map(([of]) => capital(of)), ...(polyhedron ? ["Polyhedron", OFF] : [])];
   const head = element("tr", {}, element("th", { scope: "col" }, "Property"),
@@ -46,11 +46,6 @@ export function massTable(
   const rows = rowsOf(bodies, unit, about).map((row) => tableRow(row, polyhedron !== null, beside.length ? FEWER : DIGITS));
   return element("table", { class: beside.length ? "values mass many" : "values mass" }, caption(name, exact, about, unit), element("thead", {}, head),
     element("tbody", {}, ...rows));
-}
-
-function approximated(approximation: ApproximationAnswer | null, name: string): Body | null {
-  const parts = approximation?.parts ?? {};
-  return ((name ? parts[name] : Object.values(parts)[0]) as Body | undefined) ?? null;
 }
 
 // What a reader must know: density, the point, the signs.

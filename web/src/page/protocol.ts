@@ -46,6 +46,7 @@ export interface Kind {
   name: string;
   command: string;
   members: 1 | 2;
+  mate: string; // what a pair's second member is called
   summary: string;
   origin: string;
   plane: boolean;

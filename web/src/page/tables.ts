@@ -1,6 +1,6 @@
 // Sizes and volumetric properties as tables: a column a member, exact values beside those of the polyhedra.
 
-import { partsOf } from "./amounts";
+import { called, partsOf } from "./amounts";
 import { capital, element, symbol, words } from "./dom";
 import { massTable } from "./mass_table";
 import type { About, ApproximationAnswer, LengthUnit, PartDocument, Size, ValuesAnswer } from "./protocol";
@@ -13,17 +13,21 @@ export function tables(hosts: { sizes: HTMLElement; mass: HTMLElement }) {
   const sizes = region("Sizes", hosts.sizes);
   const mass = region("Mass and inertia", hosts.mass);
   return {
-    // about: the point that inertia is told about; null for the part's origin
-    show(values: ValuesAnswer, approximation: ApproximationAnswer | null, unit: LengthUnit, about: About = null): void {
+    // about: the point that inertia is told about, null for the part's origin; mate: what a pair's second member is called
+    show(values: ValuesAnswer, approximation: ApproximationAnswer | null, unit: LengthUnit, about: About = null, mate = "gear"): void {
       const parts = partsOf(values.document).filter(([, part]) => part.properties);
       const pair = (values.document as Record<string, PartDocument>).pair;
       sizes.replaceChildren(
         ...remarks(values.remarks),
-        sizesTable(parts.length > 1 ? "Members" : "Sizes", parts.map(([name, part]) => [name, part.sizes ?? {}]), unit),
+        sizesTable(parts.length > 1 ? "Members" : "Sizes", parts.map(([name, part]) => [called(name, mate), part.sizes ?? {}]), unit),
         ...(pair?.sizes ? [sizesTable("Pair", [["", pair.sizes]], unit)] : []),
         ...(pair?.running ? [sizesTable("Running", [["", pair.running as Sizes]], unit)] : []),
       );
-      mass.replaceChildren(...parts.map(([name, part]) => massTable(name, part, approximation, unit, about)));
+      const polyhedra = approximation?.parts ?? {};
+      mass.replaceChildren(...parts.map(([name, part]) => {
+        const polyhedron = name ? polyhedra[name] : Object.values(polyhedra)[0];
+        return massTable(called(name, mate), part, polyhedron ?? null, unit, about);
+      }));
     },
     clear(): void {
       sizes.replaceChildren();

@@ -21,7 +21,7 @@ export interface ShellHeader {
   edges: [number, number] | null;
 }
 
-export interface BodyHeader extends Pick<Solid, "name" | "colour" | "place" | "spin" | "slide" | "least" | "most" | "closed"> {
+export interface BodyHeader extends Pick<Solid, "name" | "called" | "colour" | "place" | "spin" | "slide" | "least" | "most" | "closed"> {
   shells: ShellHeader[];
 }
 

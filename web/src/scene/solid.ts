@@ -9,6 +9,7 @@ export interface Index {
 
 export interface Solid {
   name: string;
+  called?: string; // by people, where that is not its name
   colour: Triple; // sRGB, 0 to 1
   positions: Float32Array; // three a vertex, relative to the centre
   normals: Int16Array; // three a vertex, of 32767
