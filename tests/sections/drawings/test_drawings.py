@@ -309,6 +309,18 @@ class TestRegions:
         with pytest.raises(gw.GeometryError, match=r"loop about \(2, 1\), 2 wide and 0 high: this encloses nothing"):
             load(tmp_path, draw)
 
+    @pytest.mark.parametrize("gap", [0.0, 1e-9, 1e-6, 1e-5, -1e-5])
+    def test_arcs_there_and_in_two_pieces_back_enclose_nothing(self, tmp_path, gap):
+        sagitta = 5.0 + gap
+        half = np.tan(np.arctan(sagitta / 10.0) / 2.0)
+
+        def draw(_, space):
+            outline = [(-10, 0, 0, 0, 0.5), (10, 0, 0, 0, -half), (0, -sagitta, 0, 0, -half)]
+            space.add_lwpolyline(outline, close=True)
+
+        with pytest.raises(gw.GeometryError, match="high: this encloses nothing: a line there and back"):
+            load(tmp_path, draw)
+
     def test_halves_that_add_up_to_nothing_are_told_as_what_crosses(self, tmp_path):
         def draw(_, space):
             space.add_lwpolyline([(0, 0), (10, 10), (10, 0), (0, 10)], close=True)

@@ -26,7 +26,8 @@ _FINEST, _POINTS = 256, 20_000
 """Chords a curve, and about a loop, of the polygons that stand for the loops: 1e-4 of a circle's radius."""
 
 _COARSE = 1e-3
-"""Boxes of the polygons of one loop differ by less, relative to the loop, wherever its curves start."""
+"""What polygons of curves do not show, relative to the loop: by less do boxes of one loop differ, wherever its curves
+start, and less of its square is enclosed by a line there and back."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +111,7 @@ def regions(chains: Sequence[Chain], tolerance: float) -> tuple[tuple[Chain, ...
     encloses nothing, is drawn twice or crosses another one.
     """
     rings = [_Ring(chain) for chain in chains]
-    flat = [_flat(ring, tolerance) for ring in rings if abs(ring.area) <= tolerance * ring.reach]
+    flat = [_flat(ring) for ring in rings if abs(ring.area) <= tolerance * ring.reach]
     _refuse(flat or _twins(rings, tolerance))
     inside, crossings = _containment(rings)
     _refuse(crossings)
@@ -166,14 +167,14 @@ def _alike(ring: _Ring, other: _Ring, tolerance: float) -> bool:
     return bool(same_box) and abs(abs(ring.area) - abs(other.area)) <= 4.0 * tolerance * sides
 
 
-def _flat(ring: _Ring, tolerance: float) -> Problem:
+def _flat(ring: _Ring) -> Problem:
     """Of a loop whose areas to the left and to the right add up to nothing, or that has none."""
     import shapely
 
-    if shapely.convex_hull(ring.outline).area <= tolerance * ring.reach:
-        return Problem(f"{ring}", "this encloses nothing: a line there and back; delete it")
-    (crossing, *_) = crossing_problems([Loop(curves=ring.chain)])
-    return Problem(f"{ring}, at {crossing.subject.partition(' at ')[2]}", crossing.message)
+    enclosed = float(shapely.make_valid(ring.filled).area)
+    for crossing in crossing_problems([Loop(curves=ring.chain)]) if enclosed > _COARSE * ring.reach**2 else []:
+        return Problem(f"{ring}, at {crossing.subject.partition(' at ')[2]}", crossing.message)
+    return Problem(f"{ring}", "this encloses nothing: a line there and back; delete it")
 
 
 def _crossing(ring: _Ring, other: _Ring) -> Problem:
