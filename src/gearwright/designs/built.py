@@ -9,14 +9,14 @@ from typing import Any, Literal, Protocol
 from .. import catalog
 from ..arrays import Array
 from ..boundary.boundary import Boundary
-from ..elements.assembly import PlacedPart
+from ..elements.assembly import PlacedPart, placed_parts
 from ..files.robots.mechanism import Mechanism
 from ..materials import density as kernel_density
 from ..parameters import Size
 from ..solids.convergence import ApproximationError
 from ..solids.polyhedron import Polyhedron
 from ..solids.properties import MassProperties
-from .members import members, placed_parts, placements
+from .members import members, placements
 
 
 class Gear(Protocol):
@@ -117,7 +117,7 @@ class Built:
         return f"{self.kind}: {element.description}"
 
     def placed(self, tolerance: float | None = None, clearance: float = 0.0) -> list[PlacedPart]:
-        """Its parts to be written or drawn, as of `members.placed_parts`."""
+        """Its parts to be written or drawn, as of `elements.assembly.placed_parts`."""
         gears = {name: part.gear for name, part in self.parts.items()}
         return placed_parts(gears, [part.placement for part in self.parts.values()], tolerance, clearance)
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..elements.assembly import PlacedPart, save_parts
+from ..elements.assembly import PlacedPart, placed_parts, save_parts
 from ..elements.sheets import SheetLabels
 from ..files.formats import written_suffixes
 from .design import Design, design_of
 from .file_problems import file_problems
-from .members import members, placed_parts, placements
+from .members import members, placements
 from .requested import Requested, requested
 from .texts import texts
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -26,6 +26,15 @@ class Drawn(Shape, Protocol):
 
     @property
     def smooth_tolerance(self) -> float | None: ...
+
+
+class Described(Drawn, Protocol):
+    """A part that says what it is."""
+
+    @property
+    def upward(self) -> Literal[1, -1]: ...
+    @property
+    def description(self) -> str: ...
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,6 +76,24 @@ class PlacedPart:
     @property
     def placed(self) -> Polyhedron:
         return self.polyhedron.transformed(self.placement)
+
+
+def placed_parts(
+    parts: Mapping[str, Described], where: Iterable[Array], tolerance: float | None, clearance: float = 0.0
+) -> list[PlacedPart]:
+    """Parts by name where they stand, to be written or drawn within a tolerance and with a clearance (lengths)."""
+    return [
+        PlacedPart(
+            name=name,
+            label=f"{name}\n{part.description}" if len(parts) > 1 else "",
+            element=part,
+            placement=placement,
+            upward=part.upward,
+            tolerance=tolerance,
+            clearance=clearance,
+        )
+        for (name, part), placement in zip(parts.items(), where, strict=True)
+    ]
 
 
 def in_colours(parts: Sequence[PlacedPart]) -> list[PlacedSolid]:

@@ -20,7 +20,7 @@ from ..sheets.writing import require_suffix, write
 from ..solids.polyhedron import Polyhedron
 from ..solids.robots import density_for, refuse_density, save_mechanism
 from . import refusals
-from .assembly import PlacedPart, draw_parts, polyhedra, save_parts
+from .assembly import PlacedPart, draw_parts, placed_parts, polyhedra, save_parts
 from .data_rows import mate_rows
 from .element import Element
 from .following import Following, part_mechanism
@@ -83,16 +83,7 @@ class Pair(ABC):
         """
         if not np.isfinite(turn):
             raise ParameterError("This pair", [Problem(f"turn = {turn}", "a finite angle in degrees is needed")])
-        return [
-            PlacedPart(
-                name=name,
-                label=f"{name}\n{member.description}",
-                element=member,
-                placement=placement,
-                tolerance=tolerance,
-            )
-            for (name, member), placement in zip(self.members.items(), self.placements(turn), strict=True)
-        ]
+        return placed_parts(self.members, self.placements(turn), tolerance)
 
     def mechanism(
         self, name: str, density: str | float, tolerance: float | None = None, turn: float = 0.0
