@@ -210,25 +210,27 @@ def test_a_coarser_tolerance_is_offered_only_to_files_that_have_one(tmp_path):
     assert "such as a coarser tolerance" in in_pool(doing)
 
 
-@pytest.mark.parametrize("debugging", ["", "1"])
-def test_warnings_of_workers_reach_the_terminal_only_of_those_who_look_for_faults(debugging):
-    script = (
+def script(*lines):
+    """Words that have a process do these lines of a coroutine with a pool of one worker, and its environment."""
+    text = (
         "import asyncio\n"
         "from gearwright.server.pool import Pool\n"
         "async def main():\n"
         "    pool = Pool(1, warm=None)\n"
-        "    pool.start()\n"
-        f"    print([one async for one in pool.submit('{work.__name__}:warn', {{}}, seconds=60.0)])\n"
-        "    await pool.close()\n"
-        "if __name__ == '__main__':\n"
+        "    pool.start()\n" + "".join(f"    {line}\n" for line in lines) + "if __name__ == '__main__':\n"
         "    asyncio.run(main())\n"
     )
     path = os.pathsep.join([*filter(None, sys.path), str(Path.cwd())])
-    environment = {**os.environ, "PYTHONPATH": path, "GEARWRIGHT_DEBUG": debugging}
+    return [sys.executable, "-c", text], {**os.environ, "PYTHONPATH": path}
+
+
+@pytest.mark.parametrize("debugging", ["", "1"])
+def test_warnings_of_workers_reach_the_terminal_only_of_those_who_look_for_faults(debugging):
+    asked = f"print([one async for one in pool.submit('{work.__name__}:warn', {{}}, seconds=60.0)])"
+    words, environment = script(asked, "await pool.close()")
+    environment["GEARWRIGHT_DEBUG"] = debugging
     environment.pop("PYTHONWARNINGS", None)
-    told = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, env=environment, timeout=60, check=False
-    )
+    told = subprocess.run(words, capture_output=True, text=True, env=environment, timeout=60, check=False)
     assert told.stdout == "[{'warned': True}]\n", told.stderr
     assert ("RuntimeWarning: of a division" in told.stderr) == bool(debugging)
 
@@ -274,20 +276,12 @@ def test_too_many_that_wait_are_refused():
 
 @pytest.mark.parametrize("busy", ["sleep", "hold"])
 def test_workers_end_with_the_process_that_has_them(busy):
-    script = (
-        "import asyncio\n"
-        "from gearwright.server.pool import Pool\n"
-        "async def main():\n"
-        "    pool = Pool(1, warm=None)\n"
-        "    pool.start()\n"
-        f"    job = pool.submit('{work.__name__}:{busy}', {{}}, seconds=60.0)\n"
-        "    print((await anext(aiter(job)))['pid'], flush=True)\n"
-        "    await asyncio.sleep(60)\n"
-        "if __name__ == '__main__':\n"
-        "    asyncio.run(main())\n"
+    words, environment = script(
+        f"job = pool.submit('{work.__name__}:{busy}', {{}}, seconds=60.0)",
+        "print((await anext(aiter(job)))['pid'], flush=True)",
+        "await asyncio.sleep(60)",
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([*filter(None, sys.path), str(Path.cwd())])}
-    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True, env=environment) as server:
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as server:
         pid = int(server.stdout.readline())
         assert alive(pid)
         server.kill()

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import sys
 import threading
+from functools import partial
 from importlib.util import find_spec
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter as Option
 
 from ..errors import MachineError, Problem, ProblemsError
 from ..server.hosts import is_name, origin_of
 from .exits import DONE
+
+if TYPE_CHECKING:
+    from ..server.serving import Bound
 
 PORT = 8321
 _LIBRARIES = ("starlette", "uvicorn", "websockets")
@@ -55,22 +59,23 @@ def serve(
         print(f"note: {NOT_BUILT}; what programs use is served.", file=sys.stderr)
     if at.token is not None:
         print("Others can reach it: whoever has this address, with its token, can use it.", file=sys.stderr)
-
-    def ready() -> None:
-        print(f"Gearwright's designer page: {at.address} – Ctrl-C ends it.", flush=True)
-        for address in at.addresses_elsewhere:
-            print(f"From other machines: {address}", flush=True)
-        if open_:
-            import webbrowser
-
-            threading.Thread(target=webbrowser.open, args=(at.address,), daemon=True).start()
-
     try:
-        serve_at(at, ready)
+        serve_at(at, partial(_ready, at, open_))
     finally:
         at.listener.close()
     print("Gearwright's designer page has ended.", file=sys.stderr)
     return DONE
+
+
+def _ready(at: Bound, open_: bool) -> None:
+    """Says where the page is, and opens it where that is asked for."""
+    print(f"Gearwright's designer page: {at.address} – Ctrl-C ends it.", flush=True)
+    for address in at.addresses_elsewhere:
+        print(f"From other machines: {address}", flush=True)
+    if open_:
+        import webbrowser
+
+        threading.Thread(target=webbrowser.open, args=(at.address,), daemon=True).start()
 
 
 def _require_sound(port: int | None, host: str, origin: str | None) -> None:

@@ -16,13 +16,13 @@ export const alike = (one: State, other: State): boolean => hashOf(bare(one)) ==
 export const lastKept = (): string | null => recalled(KEY);
 
 export class Past {
-  private history: History<State>;
+  private history!: History<State>; // begun at once
   private timer = 0;
 
   // before: what undoing leads to from the first state; now: the state that is settled on; changed: there may be more
   // to undo, or less
   constructor(before: State, first: State, private readonly now: () => State, private readonly changed: () => void) {
-    this.history = this.begun(before);
+    this.begin(before);
     this.history.settle(bare(first));
   }
 
@@ -35,7 +35,7 @@ export class Past {
   }
 
   begin(first: State): void {
-    this.history = this.begun(first);
+    this.history = new History(hashOf, bare(first));
   }
 
   soon(): void {
@@ -56,9 +56,5 @@ export class Past {
     const state = this.history[way]();
     const { tab, unit } = this.now();
     return state && { ...state, tab, unit };
-  }
-
-  private begun(first: State): History<State> {
-    return new History(hashOf, bare(first));
   }
 }
